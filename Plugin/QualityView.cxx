@@ -147,9 +147,19 @@ void prepareChart(vtkSMProxy* representation, vtkSMSourceProxy* source, vtkPVXML
   const std::string measure = title.substr(0, title.find(" ("));
   vtkSMPropertyHelper(representation, "UseIndexForXAxis", true).Set(0);
   vtkSMPropertyHelper(representation, "XArrayName", true).Set(measure.c_str());
-  vtkSMPropertyHelper shown(representation, "SeriesVisibility", true);
-  shown.Set(0, measure.c_str());
-  shown.Set(1, "0");
+  // Not the measure itself, over itself.
+  std::vector<std::string> series{ measure, "0", "Cells", "1" };
+  if (measure != title) // (limit)
+  {
+    const std::size_t begin = measure.size() + 2;
+    series.insert(series.end(), { title.substr(begin, title.size() - begin - 1), "1" });
+  }
+  vtkSMPropertyHelper visible(representation, "SeriesVisibility", true);
+  visible.SetNumberOfElements(static_cast<unsigned int>(series.size()));
+  for (unsigned int i = 0; i < series.size(); ++i)
+  {
+    visible.Set(i, series[i].c_str());
+  }
   representation->UpdateVTKObjects();
   if (vtkSMProxy* chart = chartFor(representation->GetSessionProxyManager()))
   {
@@ -176,22 +186,28 @@ void prepare(vtkSMProxy* representation)
   }
 }
 
-// Lets what the source shows beside the cells be looked through, and hides other sources.
+// Lets what the source shows beside the cells be looked through, and hides other sources; texts stay.
 void clearView(vtkSMViewProxy* view, vtkSMSourceProxy* source, vtkSMProxy* cells)
 {
+  vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
   const vtkSMPropertyHelper shown(view, "Representations");
   for (unsigned int i = 0; i < shown.GetNumberOfElements(); ++i)
   {
     vtkSMProxy* representation = shown.GetAsProxy(i);
-    if (!representation || representation == cells || !representation->GetProperty("Opacity") ||
-      !representation->GetProperty("Input"))
+    if (!representation || representation == cells ||
+      !representation->GetProperty("ColorArrayName"))
     {
       continue;
     }
-    const bool isOurs = vtkSMPropertyHelper(representation, "Input").GetAsProxy() == source;
-    vtkSMPropertyHelper(representation, isOurs ? "Opacity" : "Visibility")
-      .Set(isOurs ? OpacityAroundCells : 0.0);
-    representation->UpdateVTKObjects();
+    if (vtkSMPropertyHelper(representation, "Input").GetAsProxy() == source)
+    {
+      vtkSMPropertyHelper(representation, "Opacity").Set(OpacityAroundCells);
+      representation->UpdateVTKObjects();
+    }
+    else
+    {
+      controller->Hide(representation, view);
+    }
   }
 }
 

@@ -3,7 +3,7 @@
 import pathlib
 import sys
 
-from events import advanced, apply, boundary_row, event, look_along_x, meshing_menu, number, open_file, script, table_row
+from events import PROPERTIES, advanced, apply, boundary_row, event, look_along_x, macro, meshing_menu, number, open_file, script, table_row
 from window import Screen
 
 REPOSITORY = pathlib.Path(sys.argv[1])
@@ -15,6 +15,19 @@ PANEL = {"rows": slice(172, 3040), "columns": slice(296)}
 with Screen(1400, 900) as screen:
     screen.photograph(script(*BEGIN, number("CellSize", 12), apply(),
         look_along_x()), HELP / "window.png")
+
+STRICT = """
+from paraview import simple
+quality = simple.FindSource("FiniteVolumeQuality1")
+quality.NonOrthogonalityLimit = 40
+simple.SetActiveSource(quality)
+"""
+
+with Screen(1400, 900) as screen:
+    screen.add_macro("strict", STRICT)
+    screen.photograph(script(*BEGIN, number("CellSize", 12), apply(), meshing_menu("FiniteVolumeQuality"), apply(), macro("strict"),
+        event(f"{PROPERTIES}/ShowFailingCells/1QPushButton0", "activate")), HELP / "quality.png")
+    screen.photograph(script(*BEGIN, number("CellSize", 12), apply(), meshing_menu("QualityHistogram"), apply()), HELP / "histogram.png")
 
 with Screen(1400, 3700) as screen:
     screen.photograph(script(*BEGIN, advanced(), table_row("RefinementBlocks", 0, [0, 4, 0, 9, 2, 2, 3, 1]),
