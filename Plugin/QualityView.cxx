@@ -141,9 +141,8 @@ vtkSMProxy* chartFor(vtkSMSessionProxyManager* proxies)
 }
 
 // Over the column of the measure, with axes that say what they are; a single cell is as well seen as thousands.
-void prepareChart(vtkSMProxy* representation, vtkSMSourceProxy* source, vtkPVXMLElement* hint)
+void setChart(vtkSMProxy* representation, const std::string& title, vtkSMProxy* chart)
 {
-  const std::string title = told(source, hint->GetAttribute("title"));
   const std::string measure = title.substr(0, title.find(" ("));
   vtkSMPropertyHelper(representation, "UseIndexForXAxis", true).Set(0);
   vtkSMPropertyHelper(representation, "XArrayName", true).Set(measure.c_str());
@@ -161,7 +160,7 @@ void prepareChart(vtkSMProxy* representation, vtkSMSourceProxy* source, vtkPVXML
     visible.Set(i, series[i].c_str());
   }
   representation->UpdateVTKObjects();
-  if (vtkSMProxy* chart = chartFor(representation->GetSessionProxyManager()))
+  if (chart)
   {
     vtkSMPropertyHelper(chart, "BottomAxisTitle", true).Set(title.c_str());
     vtkSMPropertyHelper(chart, "LeftAxisTitle", true).Set("Cells");
@@ -169,6 +168,42 @@ void prepareChart(vtkSMProxy* representation, vtkSMSourceProxy* source, vtkPVXML
     chart->UpdateVTKObjects();
   }
 }
+
+// The chart of a representation after its source has another measure.
+class ChartOfMeasure : public vtkCommand
+{
+public:
+  static ChartOfMeasure* New() { return new ChartOfMeasure; }
+
+  void Begin(vtkSMProxy* representation, vtkSMSourceProxy* source, const char* property)
+  {
+    this->Representation = representation;
+    this->Property = property;
+    this->Title = told(source, property);
+    setChart(representation, this->Title, chartFor(representation->GetSessionProxyManager()));
+    source->AddObserver(vtkCommand::UpdateDataEvent, this);
+  }
+
+  void Execute(vtkObject* caller, unsigned long /*event*/, void* /*data*/) override
+  {
+    vtkSMProxy* representation = this->Representation;
+    if (representation)
+    {
+      const std::string title =
+        told(vtkSMSourceProxy::SafeDownCast(caller), this->Property.c_str());
+      if (title != this->Title)
+      {
+        this->Title = title;
+        setChart(representation, title, vtkSMViewProxy::FindView(representation));
+      }
+    }
+  }
+
+private:
+  vtkWeakPointer<vtkSMProxy> Representation;
+  std::string Property;
+  std::string Title;
+};
 
 void prepare(vtkSMProxy* representation)
 {
@@ -182,7 +217,8 @@ void prepare(vtkSMProxy* representation)
   }
   if (vtkPVXMLElement* hint = source ? hintOf(source, port, "Chart") : nullptr)
   {
-    prepareChart(representation, source, hint);
+    vtkNew<ChartOfMeasure> chart;
+    chart->Begin(representation, source, hint->GetAttribute("title"));
   }
 }
 

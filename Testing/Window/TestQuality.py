@@ -4,9 +4,8 @@ with the limit; and a report by Save Data."""
 
 import pathlib
 import sys
-from xml.sax.saxutils import quoteattr
 
-from events import PROPERTIES, apply, event, macro, meshing_menu, number, open_file, script
+from events import PROPERTIES, apply, choose, event, macro, meshing_menu, number, open_file, script
 from paraview import servermanager, simple  # noqa: F401: connects
 from window import Screen
 
@@ -47,10 +46,6 @@ open("{folder}/notes.txt", "a").write(repr(note) + "\\n")
 """
 
 
-def check(object, property, value):
-    return f'<pqcheck object="{object}" property="{property}" arguments={quoteattr(value)}/>'
-
-
 with Screen() as screen:
     for name, text in (("note", NOTE), ("strict", STRICT), ("quality", SELECT.replace("{source}", "FiniteVolumeQuality1")),
             ("mesher", SELECT.replace("{source}", "CartesianMesher1"))):
@@ -60,10 +55,11 @@ with Screen() as screen:
         BUTTON, macro("note"), macro("strict"), macro("quality"), BUTTON, macro("note"),
         macro("mesher"), meshing_menu("MeshSummary"), apply(), macro("note"),
         macro("mesher"), meshing_menu("QualityHistogram"), apply(), macro("note"),
+        choose("Measure", "Volume Fraction"), apply(), macro("note"),
         macro("mesher"), event("pqClientMainWindow/menubar/menu_File", "activate", "actionFileSaveData"),
         event("pqClientMainWindow/FileSaveDialog", "filesSelected", screen.folder / "mesh.html")))
     assert "ERR|" not in said, said
-    first, none, cells, summed, charted = map(eval, (screen.folder / "notes.txt").read_text().splitlines())
+    first, none, cells, summed, charted, shares = map(eval, (screen.folder / "notes.txt").read_text().splitlines())
     MESH, FAILING = ("FiniteVolumeQuality", 0), ("FiniteVolumeQuality", 2)
     assert first["worst"] and first["shown"][MESH] == (first["worst"], 1.0), first
     assert first["worst"] in first["legends"] and "BoundaryName" not in first["legends"], first["legends"]
@@ -84,5 +80,7 @@ with Screen() as screen:
     (column, by_index, visible), = displays
     assert column == "Skewness" and not by_index, displays
     assert visible == ["Cells", "limit: at most 4"], visible
+    (title, _, _, ((column, _, visible),)), = shares["charts"]
+    assert title == column == "Volume Fraction" and "Cells" in visible and column not in visible, shares["charts"]
     report = (screen.folder / "mesh.html").read_text()
     assert report.count("data:image/png;base64,") == 3 and "<td>Cell Size</td><td>15</td>" in report
