@@ -233,7 +233,13 @@ private:
 
   void addPictures(ReportPage& page) const
   {
-    DrawnMesh drawn{ points_, cells_, faces_, {} };
+    DrawnMesh drawn{ points_, cells_, faces_, {}, {} };
+    if (vtkDataArray* flow = mesh_->GetFieldData()->GetArray("FlowDirection");
+        flow && flow->GetNumberOfComponents() == 3 && flow->GetNumberOfTuples() > 0)
+    {
+      drawn.flow.emplace();
+      flow->GetTuple(0, drawn.flow->data());
+    }
     for (const vtkIdType boundary : boundary_)
     {
       drawn.colours.push_back(colourOf(boundary));

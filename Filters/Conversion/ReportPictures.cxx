@@ -33,6 +33,10 @@ constexpr Colour CutColour{ 0.86, 0.88, 0.92 };
 constexpr Colour Red{ 0.85, 0.1, 0.1 };
 constexpr Vector FromCorner{ 0.8, -1, 0.7 };
 
+// Of the size of bodies: what is seen of the domain around them.
+constexpr double AroundBodies = 1.2;
+constexpr double AroundCut = 1.8;
+
 std::string inBase64(const std::vector<unsigned char>& bytes)
 {
   std::string text(bytes.size() / 3 * 4 + 8, '\0');
@@ -105,7 +109,45 @@ struct DrawnFace
   Colour colour;
 };
 
-Canvas canvasFor(const DrawnMesh& mesh, const std::vector<DrawnFace>& drawn, const Vector& towards)
+struct Box
+{
+  explicit Box(const std::vector<Vector>& points)
+    : low(points.front())
+    , high(points.front())
+  {
+    for (const Vector& point : points)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = std::min(low[axis], point[axis]);
+        high[axis] = std::max(high[axis], point[axis]);
+      }
+    }
+  }
+
+  Vector middle() const { return scaled(plus(low, high), 0.5); }
+
+  // Of the box made larger around its middle.
+  std::vector<Vector> corners(double factor) const
+  {
+    std::vector<Vector> result;
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      Vector at = middle();
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        at[axis] += (corner >> axis & 1U ? factor : -factor) * (high[axis] - low[axis]) / 2;
+      }
+      result.push_back(at);
+    }
+    return result;
+  }
+
+  Vector low;
+  Vector high;
+};
+
+std::vector<Vector> pointsOf(const DrawnMesh& mesh, const std::vector<DrawnFace>& drawn)
 {
   std::vector<Vector> points;
   for (const DrawnFace& face : drawn)
@@ -113,7 +155,44 @@ Canvas canvasFor(const DrawnMesh& mesh, const std::vector<DrawnFace>& drawn, con
     const std::vector<Vector> polygon = polygonOf(mesh, face.face);
     points.insert(points.end(), polygon.begin(), polygon.end());
   }
-  return { Width, Height, points, towards };
+  return points;
+}
+
+// Of a mesh around bodies: the points of its boundary that are not on the sides of the domain; or none.
+std::vector<Vector> pointsOfBodies(const DrawnMesh& mesh)
+{
+  std::vector<DrawnFace> boundary;
+  for (std::size_t f = mesh.faces.neighbour.size(); mesh.flow && f < mesh.faces.face.size(); ++f)
+  {
+    boundary.push_back({ mesh.faces.face[f], {} });
+  }
+  std::vector<Vector> points = pointsOf(mesh, boundary);
+  if (points.empty())
+  {
+    return points;
+  }
+  const Box domain(points);
+  points.erase(std::remove_if(points.begin(), points.end(),
+                 [&](const Vector& point) {
+                   bool isOnSide = false;
+                   for (std::size_t axis = 0; axis < 3; ++axis)
+                   {
+                     isOnSide = isOnSide || point[axis] == domain.low[axis] ||
+                       point[axis] == domain.high[axis];
+                   }
+                   return isOnSide;
+                 }),
+    points.end());
+  return points;
+}
+
+// Sees all that is drawn; of a mesh around bodies, these and `around` times their size.
+Canvas canvasFor(
+  const DrawnMesh& mesh, const std::vector<DrawnFace>& drawn, const Vector& towards, double around)
+{
+  const std::vector<Vector> bodies = pointsOfBodies(mesh);
+  return { Width, Height, bodies.empty() ? pointsOf(mesh, drawn) : Box(bodies).corners(around),
+    towards };
 }
 
 void draw(const DrawnMesh& mesh, const std::vector<DrawnFace>& drawn, Canvas& canvas)
@@ -128,13 +207,19 @@ void draw(const DrawnMesh& mesh, const std::vector<DrawnFace>& drawn, Canvas& ca
   }
 }
 
-std::vector<DrawnFace> boundaryOf(const DrawnMesh& mesh)
+// As seen from there: around bodies without the sides of the domain that would hide them.
+std::vector<DrawnFace> boundaryOf(const DrawnMesh& mesh, const Vector& towards)
 {
   std::vector<DrawnFace> drawn;
   const std::size_t inner = mesh.faces.neighbour.size();
   for (std::size_t f = inner; f < mesh.faces.face.size(); ++f)
   {
-    drawn.push_back({ mesh.faces.face[f], mesh.colours[f - inner] });
+    const std::vector<Vector> polygon = polygonOf(mesh, mesh.faces.face[f]);
+    const auto corner = [&](std::size_t i) { return polygon[i]; };
+    if (!mesh.flow || dot(measureFace(polygon.size(), corner).area, towards) <= 0)
+    {
+      drawn.push_back({ mesh.faces.face[f], mesh.colours[f - inner] });
+    }
   }
   return drawn;
 }
@@ -163,6 +248,11 @@ public:
 
   Cut run() const
   {
+    if (const std::vector<Vector> bodies = pointsOfBodies(mesh_); !bodies.empty())
+    {
+      const std::size_t axis = std::abs((*mesh_.flow)[1]) < 0.5 ? 1 : 0;
+      return { axis, Box(bodies).middle()[axis] };
+    }
     constexpr double Better = 1.1;
     Cut best{ 0, 0 };
     double most = -1;
@@ -221,8 +311,8 @@ private:
 
 ReportPicture pictureOfBoundary(const DrawnMesh& mesh)
 {
-  const std::vector<DrawnFace> drawn = boundaryOf(mesh);
-  Canvas canvas = canvasFor(mesh, drawn, FromCorner);
+  const std::vector<DrawnFace> drawn = boundaryOf(mesh, FromCorner);
+  Canvas canvas = canvasFor(mesh, drawn, FromCorner, AroundBodies);
   draw(mesh, drawn, canvas);
   return { "The boundary, in the colours of the table of boundaries", pngOf(canvas) };
 }
@@ -247,7 +337,7 @@ ReportPicture pictureOfCut(const DrawnMesh& mesh)
   }
   Vector towards = scaled(FromCorner, 0.3);
   towards[axis] = side;
-  Canvas canvas = canvasFor(mesh, drawn, towards);
+  Canvas canvas = canvasFor(mesh, drawn, towards, AroundCut);
   draw(mesh, drawn, canvas);
   return { std::string("Whole cells up to ") + "xyz"[axis] + " = " + number(at), pngOf(canvas) };
 }
@@ -257,8 +347,8 @@ ReportPicture pictureOfCells(const DrawnMesh& mesh, const std::vector<std::uint3
   constexpr double Pale = 0.75;
   constexpr std::size_t MostCircles = 40;
   constexpr double Radius = 11;
-  std::vector<DrawnFace> drawn = boundaryOf(mesh);
-  Canvas canvas = canvasFor(mesh, drawn, FromCorner);
+  std::vector<DrawnFace> drawn = boundaryOf(mesh, FromCorner);
+  Canvas canvas = canvasFor(mesh, drawn, FromCorner, AroundBodies);
   draw(mesh, drawn, canvas);
   canvas.fade(Pale);
   drawn.clear();

@@ -3,9 +3,10 @@
 #pragma once
 
 #include "GridFaces.h"
+#include "Lattice/Vector.h"
 #include "Report/ReportPage.h"
 
-#include <array>
+#include <optional>
 
 namespace cartesian
 {
@@ -17,11 +18,13 @@ struct DrawnMesh
   const CellFaces& cells;
   const FaceList& faces;
   std::vector<Colour> colours; // of each boundary face
+  std::optional<Vector>
+    flow; // of a mesh around bodies: its direction; the sides in front of these are left out
 };
 
 ReportPicture pictureOfBoundary(const DrawnMesh& mesh);
 
-// The cells on one side of a plane, across the most material.
+// The cells on one side of a plane, across the most material; around bodies, along the flow through their middle.
 ReportPicture pictureOfCut(const DrawnMesh& mesh);
 
 // `which`: cells in red, in front of the pale boundary; in circles, if they are not many.

@@ -16,6 +16,7 @@ import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 from pipeline import DATA, Messages, error_code, octahedron, output, polydata, producer
 
@@ -164,6 +165,16 @@ assert warning and any(re.sub(r"\s+", " ", text).strip()[:60] == warning[:60] fo
 with Messages() as said:
     simple.SaveData(str(folder / "none.html"), proxy=producer(copy.NewInstance()))
 assert "There are no cells to report of" in str(said) and not (folder / "none.html").exists(), str(said)
+
+# Around a body, the pictures show the body, not the sides of the domain.
+around = simple.CartesianMesher(Input=producer(octahedron()), Domain="Outside", CellSize=0.4)
+(folder / "body.png").write_bytes(base64.b64decode(re.search(r"base64,([^\"]*)", save("around.html", around))[1]))
+reader = vtkPNGReader()
+reader.SetFileName(str(folder / "body.png"))
+reader.Update()
+red, green, blue = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int).T
+share = ((blue > red + 20) & (blue > green)).mean()  # of the first boundary's colour
+assert share > 0.03, share
 
 # By a task, on ranks too: the same file.
 TASK = f"""
