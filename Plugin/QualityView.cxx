@@ -42,7 +42,7 @@ constexpr double Around = 2; // as many cells are seen beside them
 
 bool isSmallWorse(const std::string& measure)
 {
-  const auto spec = std::find_if(MeasureSpecs.begin(), MeasureSpecs.end(),
+  const auto* const spec = std::find_if(MeasureSpecs.begin(), MeasureSpecs.end(),
     [&](const MeasureSpec& known) { return known.name == measure; });
   return spec != MeasureSpecs.end() && !spec->largeIsWorse;
 }
@@ -289,7 +289,7 @@ void show(vtkSMSourceProxy* source, unsigned int port)
   {
     return;
   }
-  const bool isNew = !view->FindRepresentation(source, port);
+  const bool isNew = !view->FindRepresentation(source, static_cast<int>(port));
   vtkSMProxy* representation = controller->Show(source, static_cast<int>(port), view);
   if (isNew)
   {

@@ -153,7 +153,7 @@ private:
                                            boundary == NoBoundary ? rows_.size() : boundary));
   }
 
-  std::string nameOf(vtkIdType boundary, const std::map<vtkIdType, std::string>& names) const
+  static std::string nameOf(vtkIdType boundary, const std::map<vtkIdType, std::string>& names)
   {
     const auto name = names.find(boundary);
     return name != names.end()      ? name->second
@@ -209,7 +209,7 @@ private:
   std::vector<std::uint32_t> cellsToShow(std::string& caption) const
   {
     const std::string measure = quality_->GetWorstMeasure();
-    const auto spec = std::find_if(MeasureSpecs.begin(), MeasureSpecs.end(),
+    const auto* const spec = std::find_if(MeasureSpecs.begin(), MeasureSpecs.end(),
       [&](const MeasureSpec& known) { return known.name == measure; });
     const std::vector<vtkIdType> ranked = rankedCells(mesh_, *spec);
     auto* failures = vtkUnsignedIntArray::SafeDownCast(mesh_->GetCellData()->GetArray("Failures"));

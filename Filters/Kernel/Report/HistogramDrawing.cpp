@@ -59,9 +59,10 @@ public:
 
   std::string run()
   {
-    svg_ << "<svg viewBox=\"0 0 " << Width << " " << Height << "\" role=\"img\" aria-label=\""
-         << escaped(of_.name) << "\">\n<text x=\"" << Left << "\" y=\"14\" class=\"name\">"
-         << escaped(of_.name) << "</text>\n";
+    svg_ << R"(<svg viewBox="0 0 )" << Width << " " << Height << R"(" role="img" aria-label=")"
+         << escaped(of_.name) << R"(">
+<text x=")"
+         << Left << R"(" y="14" class="name">)" << escaped(of_.name) << "</text>\n";
     drawCounts();
     drawBars();
     drawAxis();
@@ -94,10 +95,12 @@ private:
 
   void drawCounts()
   {
-    for (double count = 1; count <= most_; count *= 10)
+    double count = 1;
+    while (count <= most_)
     {
       line(Left, y(count), Width - Right, y(count), "grid");
       text(Left - 6, y(count) + 4, "end", number(count));
+      count *= 10;
     }
     svg_ << "<text transform=\"translate(12," << (Height - Bottom + Top) / 2
          << ") rotate(-90)\" text-anchor=\"middle\">cells</text>\n";
@@ -138,7 +141,7 @@ private:
       const bool isRight = at > (Left + Width - Right) / 2;
       line(at, Top - 6, at, Height - Bottom, "limit");
       svg_ << "<text x=\"" << at + (isRight ? -5 : 5) << "\" y=\"" << Top + 6
-           << "\" class=\"limit\" text-anchor=\"" << (isRight ? "end" : "start") << "\">"
+           << R"(" class="limit" text-anchor=")" << (isRight ? "end" : "start") << "\">"
            << escaped(of_.limit) << "</text>\n";
     }
   }

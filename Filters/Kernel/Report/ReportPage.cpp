@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report/ReportPage.h"
 
+#include <cctype>
 #include <cmath>
 #include <sstream>
 
@@ -25,6 +26,26 @@ rect { fill: #5b8db8; stroke: #fff; stroke-width: .5; } line.axis { stroke: #333
 line.limit { stroke: #c02020; stroke-width: 1.5; } text.limit { fill: #c02020; }
 li { white-space: pre-wrap; overflow-wrap: anywhere; }
 )";
+
+std::string escapedCharacter(char c)
+{
+  switch (c)
+  {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    default:
+      return std::iscntrl(static_cast<unsigned char>(c)) != 0 && c != '\n' ? " "
+                                                                           : std::string(1, c);
+  }
+}
 
 std::string hexadecimal(const Colour& colour)
 {
@@ -55,8 +76,8 @@ void write(const ReportTable& table, std::ostream& page)
       page << "<td>";
       if (column == 0 && row < table.colours.size())
       {
-        page << "<span class=\"patch\" style=\"background:" << hexadecimal(table.colours[row])
-             << "\"></span>";
+        page << R"(<span class="patch" style="background:)" << hexadecimal(table.colours[row])
+             << R"("></span>)";
       }
       page << escaped(table.rows[row][column]) << "</td>";
     }
@@ -93,14 +114,7 @@ std::string escaped(const std::string& text)
   std::string result;
   for (const char c : text)
   {
-    const auto code = static_cast<unsigned char>(c);
-    result += c == '&'                           ? "&amp;"
-      : c == '<'                                 ? "&lt;"
-      : c == '>'                                 ? "&gt;"
-      : c == '"'                                 ? "&quot;"
-      : c == '\''                                ? "&#39;"
-      : (code < ' ' && c != '\n') || code == 127 ? " "
-                                                 : std::string(1, c);
+    result += escapedCharacter(c);
   }
   return result;
 }

@@ -59,6 +59,6 @@ std::string escaped(const std::string& text);
 // An SVG element: bars with logarithmic heights, and the limit as a line with its name.
 std::string drawing(const ReportHistogram& histogram);
 
-std::string html(const ReportPage& page);
+std::string html(const ReportPage& report);
 
 }
