@@ -83,12 +83,17 @@ void vtkCartesianAlgorithm::TellWarnings()
   for (const std::string& text : std::exchange(this->Warnings, {}))
   {
     vtkWarningMacro(<< text);
+    this->ToldWarnings.push_back(text);
   }
 }
 
 vtkTypeBool vtkCartesianAlgorithm::ProcessRequest(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    this->ToldWarnings.clear();
+  }
   const vtkTypeBool done = this->Superclass::ProcessRequest(request, input, output);
   this->TellWarnings();
   return done;

@@ -62,6 +62,11 @@ public:
   int GetLegendArrayStatus(const char* name);
   ///@}
 
+  /**
+   * The warnings of the last update.
+   */
+  const std::vector<std::string>& GetWarnings() const { return this->ToldWarnings; }
+
   ///@{
   /**
    * Number of threads; 0, the default, means one for each core.
@@ -172,6 +177,7 @@ private:
   void TellWarnings();
 
   std::vector<std::string> Warnings; // not printed yet
+  std::vector<std::string> ToldWarnings;
   std::vector<std::string> Legend;
   vtkMTimeType LegendTime = 0; // of the outputs it describes
 

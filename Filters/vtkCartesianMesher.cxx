@@ -619,10 +619,7 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   this->PrintBoundarySettings(os, indent);
   os << indent << "InPieces: " << this->InPieces << "\n";
   os << indent << "CellBudget: " << this->CellBudget << "\n";
-  os << indent << "Layers: " << this->Layers << "\n";
-  os << indent << "LayerExpansionRatio: " << this->LayerExpansionRatio << "\n";
-  os << indent << "FirstLayerThickness: " << this->FirstLayerThickness << "\n";
-  os << indent << "LayersThickness: " << this->LayersThickness << "\n";
+  cartesian::printLayerProperties(this, os, indent);
   PrintColumn(os, indent, "LayerRegions", this->LayerRegions);
   PrintColumn(os, indent, "BoundaryLayersThickness", this->BoundaryLayers);
   PrintColumn(os, indent, "BoundaryMergedNames", this->BoundaryMergedNames);

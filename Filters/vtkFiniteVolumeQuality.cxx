@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFiniteVolumeQuality.h"
 
+#include "CellSelection.h"
 #include "FieldData.h"
 #include "GridFaces.h"
 #include "Quality/QualityMeasures.h"
+#include "Quality/WorstMeasure.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -47,6 +49,21 @@ void SetMeasures(const std::array<cartesian::RawVector<double>, cartesian::Measu
   }
 }
 
+cartesian::QualityLimits LimitsOf(vtkFiniteVolumeQuality& filter)
+{
+  cartesian::QualityLimits limits = cartesian::standardLimits();
+  limits[cartesian::Openness] = filter.GetOpennessLimit();
+  limits[cartesian::BoundaryAngle] = filter.GetBoundaryAngleLimit();
+  limits[cartesian::InnerAngle] = filter.GetInnerAngleLimit();
+  limits[cartesian::NonOrthogonality] = filter.GetNonOrthogonalityLimit();
+  limits[cartesian::Skewness] = filter.GetSkewnessLimit();
+  limits[cartesian::FaceWeight] = filter.GetFaceWeightLimit();
+  limits[cartesian::VolumeRatio] = filter.GetVolumeRatioLimit();
+  limits[cartesian::Determinant] = filter.GetDeterminantLimit();
+  limits[cartesian::AspectRatio] = filter.GetAspectRatioLimit();
+  return limits;
+}
+
 double OverAllProcesses(const cartesian::SummaryValue& entry)
 {
   vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
@@ -86,11 +103,23 @@ void SetFaces(const cartesian::CellFaces& cells, const cartesian::FaceList& face
   AddArray<vtkIdTypeArray>(output->GetCellData(), "Neighbour", neighbour);
 }
 
+void SetFailing(const std::vector<std::uint32_t>& failures, const unsigned char* ghosts,
+  vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* output)
+{
+  std::vector<unsigned char> isChosen(failures.size());
+  for (std::size_t cell = 0; cell < failures.size(); ++cell)
+  {
+    const bool fails = (failures[cell] & cartesian::FailuresForSolvers) != 0;
+    isChosen[cell] = fails && !(ghosts && ghosts[cell] != 0) ? 1 : 0;
+  }
+  cartesian::selectCells(mesh, isChosen, output);
+}
+
 }
 
 vtkFiniteVolumeQuality::vtkFiniteVolumeQuality()
 {
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 int vtkFiniteVolumeQuality::FillInputPortInformation(int /*port*/, vtkInformation* info)
@@ -101,7 +130,7 @@ int vtkFiniteVolumeQuality::FillInputPortInformation(int /*port*/, vtkInformatio
 
 int vtkFiniteVolumeQuality::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkPolyData" : "vtkUnstructuredGrid");
   return 1;
 }
 
@@ -119,16 +148,7 @@ int vtkFiniteVolumeQuality::RequestData(
   vtkPolyData* faces = vtkPolyData::GetData(output, 1);
   // Empty at first: processes that fail must take part in the sums.
   std::vector<cartesian::SummaryValue> summary = cartesian::summarise({}, {});
-  cartesian::QualityLimits limits = cartesian::standardLimits();
-  limits[cartesian::Openness] = this->OpennessLimit;
-  limits[cartesian::BoundaryAngle] = this->BoundaryAngleLimit;
-  limits[cartesian::InnerAngle] = this->InnerAngleLimit;
-  limits[cartesian::NonOrthogonality] = this->NonOrthogonalityLimit;
-  limits[cartesian::Skewness] = this->SkewnessLimit;
-  limits[cartesian::FaceWeight] = this->FaceWeightLimit;
-  limits[cartesian::VolumeRatio] = this->VolumeRatioLimit;
-  limits[cartesian::Determinant] = this->DeterminantLimit;
-  limits[cartesian::AspectRatio] = this->AspectRatioLimit;
+  const cartesian::QualityLimits limits = LimitsOf(*this);
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     execution.stage("Faces", 0, 0.5);
     const cartesian::CellFaces cells = cartesian::facesOfCells(grid);
@@ -144,14 +164,20 @@ int vtkFiniteVolumeQuality::RequestData(
     SetFaces(cells, list, grid, faces);
     SetMeasures(quality.faces, quality.faceFailures, faces->GetCellData());
     vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
-    summary = cartesian::summarise(quality, list, ghosts ? ghosts->GetPointer(0) : nullptr);
+    const unsigned char* isGhost = ghosts ? ghosts->GetPointer(0) : nullptr;
+    SetFailing(quality.cellFailures, isGhost, mesh, vtkUnstructuredGrid::GetData(output, 2));
+    summary = cartesian::summarise(quality, list, isGhost);
   });
-  for (const cartesian::SummaryValue& entry : summary)
+  for (cartesian::SummaryValue& entry : summary)
   {
-    const double value = OverAllProcesses(entry);
-    cartesian::setField(mesh, entry.name.c_str(), { value });
-    cartesian::setField(faces, entry.name.c_str(), { value });
+    entry.value = OverAllProcesses(entry);
+    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+    {
+      cartesian::setField(
+        vtkDataObject::GetData(output, port), entry.name.c_str(), { entry.value });
+    }
   }
+  this->WorstMeasure = cartesian::MeasureSpecs[cartesian::worstMeasure(summary, limits)].name;
   return 1;
 }
 

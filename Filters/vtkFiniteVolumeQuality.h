@@ -5,11 +5,12 @@
  *
  * Input: any unstructured grid of linear cells, including polyhedra with outward faces. Outputs: port 0 "Mesh", the
  * grid with the arrays below on its cells; port 1 "Faces" (vtkPolyData), each face once with the arrays below that
- * are measured on faces, and Owner and Neighbour (id type; -1 on the boundary), the cells on both sides. Faces are
- * counter-clockwise from outside their owner; inner faces come first, in upper-triangular order; points are the
+ * are measured on faces, and Owner and Neighbour (id type; -1 on the boundary), the cells on both sides; port 2
+ * "Failing Cells", those of the Mesh that fail any measure but TetQuality, which solvers need for particles only. Faces
+ * are counter-clockwise from outside their owner; inner faces come first, in upper-triangular order; points are the
  * grid's.
  *
- * Both have Failures (unsigned int): the sum of the codes of all measures whose value is at or beyond the limit; 0
+ * All have Failures (unsigned int): the sum of the codes of all measures whose value is at or beyond the limit; 0
  * for cells and faces that pass. Other arrays are doubles. A cell has the worst value of its faces; where there is
  * nothing to measure, the best. The first seven are the conditions of the paper's section 3; the rest, Openness and
  * Volume are those of checkMesh (OpenFOAM 1912), with its definitions and limits.
@@ -31,7 +32,7 @@
  * | TetQuality        | yes          | > 1e-30 | 4096 | of an edge, the face's centre and the cell's; 1 is regular |
  * | Concavity         |              | none   |      | degrees beyond 180 inside the cell at its most concave edge; coplanar faces are not concave |
  *
- * Field data of both: Cells, FailingCells, ConcaveCells (Concavity of a degree or more),
+ * Field data of all: Cells, FailingCells, ConcaveCells (Concavity of a degree or more),
  * TotalVolume, BoundaryArea, and for each array above its name with Failures (a number of cells)
  * and with Max or Min before it, the worst of all cells.
  *
@@ -80,6 +81,12 @@ public:
   vtkGetMacro(AspectRatioLimit, double);
   ///@}
 
+  /**
+   * After an update the name of the measure, except TetQuality, that most cells fail or, where none fails, that whose
+   * worst value is nearest to its limit; on all processes the same.
+   */
+  const char* GetWorstMeasure() const { return this->WorstMeasure; }
+
 protected:
   vtkFiniteVolumeQuality();
   ~vtkFiniteVolumeQuality() override = default;
@@ -102,6 +109,8 @@ protected:
   double AspectRatioLimit = 1000;
 
 private:
+  const char* WorstMeasure = "Skewness";
+
   vtkFiniteVolumeQuality(const vtkFiniteVolumeQuality&) = delete;
   void operator=(const vtkFiniteVolumeQuality&) = delete;
 };

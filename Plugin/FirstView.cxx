@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FirstView.h"
 
+#include "Base/Palette.h"
+#include "Hints.h"
 #include "Registration.h"
 
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
@@ -19,7 +20,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <set>
 #include <string>
 #include <utility>
@@ -79,20 +79,12 @@ std::set<std::string> sidesOf(vtkSMProxy* source)
     : std::set<std::string>{ "inlet", "outlet", "ground", "symmetry", "sides" };
 }
 
-// Hues a golden ratio apart differ from the last few; eight further on they come back, in another shade. Defects are
-// the brightest of all.
-std::array<double, 3> colour(std::size_t i, bool isDefect)
+// Defects are the brightest of all.
+Colour colour(std::size_t i, bool isDefect)
 {
   constexpr double GoldenRatio = 0.618034;
-  constexpr double Blue = 0.58;
-  constexpr std::array<std::pair<double, double>, 3> Shades{ { { 0.45, 0.9 }, { 0.7, 0.8 },
-    { 0.25, 1 } } }; // saturation, value
-  const double turns = (isDefect ? 0 : Blue) + GoldenRatio * static_cast<double>(i);
-  const auto& [saturation, value] = Shades[i / 8 % Shades.size()];
-  std::array<double, 3> rgb{};
-  vtkMath::HSVToRGB(turns - std::floor(turns), isDefect ? 1 : saturation, isDefect ? 1 : value,
-    rgb.data(), rgb.data() + 1, rgb.data() + 2);
-  return rgb;
+  const double turns = GoldenRatio * static_cast<double>(i);
+  return isDefect ? colourOfHue(turns - std::floor(turns), 1, 1) : colourOfBoundary(i);
 }
 
 // The entries "array/value" or "array/value/name" of a property LegendInfo.
@@ -177,7 +169,7 @@ void addCategories(vtkSMProxy* colours, const std::vector<Category>& categories,
     const auto n = static_cast<unsigned int>(known.size());
     annotations.Set(2 * n, category.value.c_str());
     annotations.Set(2 * n + 1, category.name.c_str());
-    const std::array<double, 3> rgb = colour(n, areDefects);
+    const Colour rgb = colour(n, areDefects);
     for (unsigned int c = 0; c < 3; ++c)
     {
       indexed.Set(3 * n + c, rgb[c]);
@@ -194,23 +186,6 @@ void addCategories(vtkSMProxy* colours, const std::vector<Category>& categories,
     vtkSMPropertyHelper(colours, "EnableOpacityMapping").Set(1);
   }
   colours->UpdateVTKObjects();
-}
-
-// The source's hint of this name for a port; null: none.
-vtkPVXMLElement* hintOf(vtkSMProxy* source, int port, const char* name)
-{
-  vtkPVXMLElement* hints = source->GetHints();
-  for (unsigned int i = 0; hints && i < hints->GetNumberOfNestedElements(); ++i)
-  {
-    vtkPVXMLElement* hint = hints->GetNestedElement(i);
-    int of = 0;
-    if (std::strcmp(hint->GetName(), name) == 0 && hint->GetScalarAttribute("port", &of) != 0 &&
-      of == port)
-    {
-      return hint;
-    }
-  }
-  return nullptr;
 }
 
 void set(vtkSMProxy* representation, const char* property, double value)

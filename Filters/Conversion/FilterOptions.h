@@ -103,4 +103,18 @@ void printCellProperties(Filter* filter, ostream& os, vtkIndent indent)
   os << indent << "RefusedCellRatio: " << filter->GetRefusedCellRatio() << "\n";
 }
 
+template <class Filter>
+void printLayerProperties(Filter* filter, ostream& os, vtkIndent indent)
+{
+  os << indent << "Layers: " << filter->GetLayers() << "\n";
+  os << indent << "LayerExpansionRatio: " << filter->GetLayerExpansionRatio() << "\n";
+  os << indent << "FirstLayerThickness: " << filter->GetFirstLayerThickness() << "\n";
+  os << indent << "TargetYPlus: " << filter->GetTargetYPlus() << "\n";
+  os << indent << "FlowSpeed: " << filter->GetFlowSpeed() << "\n";
+  os << indent << "FlowViscosity: " << filter->GetFlowViscosity() << "\n";
+  os << indent << "FlowLength: " << filter->GetFlowLength() << "\n";
+  os << indent << "LastLayer: " << filter->GetLastLayer() << "\n";
+  os << indent << "LayersThickness: " << filter->GetLayersThickness() << "\n";
+}
+
 }

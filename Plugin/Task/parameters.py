@@ -233,7 +233,8 @@ def parameters(name, group="filters"):
     properties.Begin()
     while not properties.IsAtEnd():
         property = properties.GetProperty()
-        if not property.IsA("vtkSMInputProperty") and not property.GetInformationOnly() and \
+        # Inputs and buttons have no values.
+        if property.IsA("vtkSMVectorProperty") and not property.GetInformationOnly() and \
                 not property.GetIsInternal() and not _has_hint(property, "PanelOnly") and properties.GetKey() not in columns:
             found[properties.GetKey()] = _parameter(property, tables.get(properties.GetKey(), ""))
         properties.Next()

@@ -148,14 +148,18 @@ def build(task):
             lambda what: task.error(("refinement", "size_field"), what), kinds=())
     set_properties(mesher, task)
     # A VTK file holds the whole mesh: then the first rank must have it.
-    if any(file.suffix in writing.WRITERS[port] for port, kind in enumerate(KINDS)
-            for file in getattr(task, kind)):
+    if any(file.suffix in writing.WRITERS[port] for _, port, file in files_of(task)):
         mesher.InPieces = 0
     return mesher
 
 
-# The outputs of Cartesian Mesher, port by port.
-KINDS = "mesh", "boundary", "defects"
+# Outputs of a task and the ports of Cartesian Mesher that they are of.
+KINDS = {"mesh": 0, "boundary": 1, "defects": 2, "report": 0}
+
+
+def files_of(task):
+    """(kind, port, file) of all that is made of the mesher's outputs."""
+    return [(kind, port, file) for kind, port in KINDS.items() for file in getattr(task, kind)]
 
 
 @contextlib.contextmanager
@@ -176,14 +180,13 @@ def create_folders(task):
 
 
 def write(mesher, task):
-    for port, kind in enumerate(KINDS):
-        for file in getattr(task, kind):
-            with outputs_of(task, kind, file):
-                if file.suffix in writing.WRITERS[port]:
-                    data = mesher.SMProxy.GetClientSideObject().GetOutputDataObject(port)
-                    writing.write_whole(data, port, file)
-                else:
-                    writing.save(mesher, port, file, task.pieces, task.case)
+    for kind, port, file in files_of(task):
+        with outputs_of(task, kind, file):
+            if file.suffix in writing.WRITERS[port]:
+                data = mesher.SMProxy.GetClientSideObject().GetOutputDataObject(port)
+                writing.write_whole(data, port, file)
+            else:
+                writing.save(mesher, port, file, task.pieces, task.case)
 
 
 def write_pieces(listener, task, pieces):
@@ -191,12 +194,11 @@ def write_pieces(listener, task, pieces):
     fields = []
     with contextlib.suppress(NoMesh), contextlib.ExitStack() as stack:
         outputs = []
-        for port, kind in enumerate(KINDS):
-            for file in getattr(task, kind):
-                stack.enter_context(outputs_of(task, kind, file))
-                opened = writing.case_pieces(file, pieces, task.case) if file.suffix == writing.CASE \
-                    else writing.replacing_pieces(file)
-                outputs.append((port, kind, stack.enter_context(opened)))
+        for kind, port, file in files_of(task):
+            stack.enter_context(outputs_of(task, kind, file))
+            opened = writing.case_pieces(file, pieces, task.case) if file.suffix == writing.CASE \
+                else writing.replacing_pieces(file)
+            outputs.append((port, kind, stack.enter_context(opened)))
         for piece in range(pieces):
             make_piece(listener.algorithm, piece, pieces)
             if listener.errors or listener.interrupted:
@@ -230,8 +232,7 @@ def pieces_needed(mesher, task):
     if task.pieces > 1:
         return decomposed_pieces(task, ranks)
     alone = ranks == 1
-    takes_pieces = [file.suffix in writing.PIECE_WRITERS[port] for port, kind in enumerate(KINDS)
-        for file in getattr(task, kind)]
+    takes_pieces = [file.suffix in writing.PIECE_WRITERS[port] for _, port, file in files_of(task)]
     if not alone or not takes_pieces or not all(takes_pieces):
         return 1
     return mesher.SMProxy.GetClientSideObject().EstimateNumberOfPieces()
@@ -242,12 +243,11 @@ def decomposed_pieces(task, ranks):
     if ranks > 1 and ranks != task.pieces:
         raise task.error(("output", "pieces"), f"{task.pieces} on {ranks} ranks, each of which writes one: "
             f"set it to 1 or {ranks}")
-    for port, kind in enumerate(KINDS):
+    for kind, port, file in files_of(task):
         suffixes = [*writing.PIECE_WRITERS[port], *([writing.CASE] if port == 0 else [])]
-        for file in getattr(task, kind):
-            if file.suffix not in suffixes:
-                raise task.error(("output", kind), f"{file} cannot be written in pieces" +
-                    (f", only {' and '.join(suffixes)} can" if suffixes else ""))
+        if file.suffix not in suffixes:
+            raise task.error(("output", kind), f"{file} cannot be written in pieces" +
+                (f", only {' and '.join(suffixes)} can" if suffixes else ""))
     return task.pieces if ranks == 1 else 1
 
 

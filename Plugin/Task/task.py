@@ -31,6 +31,7 @@
     boundary = "header.vtp"
     defects = "defects.vtp"    # of the surface; of all of it, so not of a mesh in pieces
     statistics = "header.json"
+    report = "header.html"     # pictures, boundaries, histograms and settings; of a mesh in one piece
 
     [case]                     # of .foam files: the properties of their writer
     solver_setup = "Incompressible"
@@ -46,6 +47,7 @@ import tomllib
 from parameters import BadValue, collections, parameters, shown
 
 MESHER, REGION, SPLIT, CASE_WRITER = "CartesianMesher", "RefinementRegion", "SplitSurface", "PolyMeshWriter"
+REPORT = ".html"
 FILE_KEYS = {"surface": {"file", "split"}, "refinement": {"size_field"}}  # beside the properties, by table
 # Of Split Surface, not in tasks: what belongs to a selection in a view, and what the mesher has too.
 NOT_OF_SPLIT = "SelectionName", "SelectWholePatches", "NumberOfThreads"
@@ -81,6 +83,7 @@ class Task:
     boundary: list
     defects: list
     statistics: list
+    report: list
     pieces: int
     case: dict  # properties of the cases' writer
     reader: object  # knows lines
@@ -258,12 +261,15 @@ def targets_of(file):
 
 def outputs(reader, content, inputs):
     """Files to write, by kind, none twice and none that is read; and the number of pieces."""
-    kinds = ("mesh", "boundary", "defects", "statistics")
+    kinds = ("mesh", "boundary", "defects", "statistics", "report")
     reader.table(content, ("output",), {*kinds, "pieces"})
     pieces = content.get("pieces", 1)
     if type(pieces) is not int or pieces < 1:
         reader.fail(("output", "pieces"), f"{shown(pieces)} is not a whole number above 0")
     files = {kind: reader.files(content.get(kind, []), ("output", kind), exist=False) for kind in kinds}
+    for file in files["report"]:
+        if file.suffix != REPORT:
+            reader.fail(("output", "report"), f"{file} must end in {REPORT}")
     taken = {file.resolve(): "is an input of the task" for file in inputs}
     for kind in kinds:
         for file in files[kind]:

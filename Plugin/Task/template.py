@@ -42,7 +42,8 @@ OUTPUT = """
 # pieces = 1               # of the case: more for a decomposed case; on several ranks, as many as ranks
 # boundary = "boundary.vtp"
 # defects = "defects.vtp"
-# statistics = "statistics.json\""""
+# statistics = "statistics.json"
+# report = "report.html"   # pictures, boundaries, histograms, settings and warnings; of a mesh in one piece"""
 
 
 CASE = """

@@ -39,6 +39,7 @@ inspector = simple.SurfaceInspector(Input=surface)
 split = simple.SplitSurface(Input=surface)
 quality = simple.FiniteVolumeQuality(Input=mesher)
 summary = simple.MeshSummary(Input=mesher)
+histogram = simple.QualityHistogram(Input=mesher)
 region = simple.RefinementRegion(Input=cube)
 
 expected = {
@@ -55,8 +56,9 @@ expected = {
         "SelectWholePatches": 1}),
     quality: ("Finite Volume Quality", ["Input"], threads | {"OpennessLimit": 1e-6, "BoundaryAngleLimit": 90,
         "InnerAngleLimit": 75, "NonOrthogonalityLimit": 70, "SkewnessLimit": 4, "FaceWeightLimit": 0.05,
-        "VolumeRatioLimit": 0.01, "DeterminantLimit": 0.001, "AspectRatioLimit": 1000}),
-    summary: ("Mesh Summary", ["Input"], threads | {"Measure": "Skewness", "NumberOfWorstCells": 10}),
+        "VolumeRatioLimit": 0.01, "DeterminantLimit": 0.001, "AspectRatioLimit": 1000, "ShowFailingCells": None}),
+    summary: ("Mesh Summary", ["Input"], threads | {"Measure": "Skewness", "NumberOfWorstCells": 10, "ShowFailingCells": None}),
+    histogram: ("Quality Histogram", ["Input"], threads | {"Measure": "Skewness", "Bins": 50}),
     # A box has an eighth of its input's bounding box at first, a sphere a fifth of its length.
     region: ("Refinement Region", ["Input"], {"Shape": "Box", "Position": [0, 0, 0],
         "Rotation": [0, 0, 0], "Length": [0.5, 0.5, 0.5], "Center": [0, 0, 0], "Radius": 0.1,
@@ -68,6 +70,9 @@ for proxy, (label, inputs, properties) in expected.items():
         if not proxy.GetProperty(name).SMProperty.GetInformationOnly())
     assert names == sorted(inputs + list(properties)), f"{label} has the properties {names}"
     for name, default in properties.items():
+        if default is None:
+            assert proxy.GetProperty(name).SMProperty.GetClassName() == "vtkSMProperty", f"{name} is no button"
+            continue
         value = proxy.GetPropertyValue(name)
         value = list(value) if isinstance(default, list) else value
         assert value == default, f"the default of {name} of {label} is {value!r}"
@@ -81,7 +86,8 @@ for proxy in expected:
 
 for proxy, names in (
     (assembler, ["Mesh", "Boundary"]), (mesher, ["Mesh", "Boundary", "Defects", "Interfaces"]),
-    (quality, ["Mesh", "Faces"]), (summary, ["Summary", "Worst Cells"]),
+    (quality, ["Mesh", "Faces", "Failing Cells"]), (summary, ["Summary", "Worst Cells", "Failing Cells"]),
+    (histogram, ["Histogram", "Bins"]),
 ):
     ports = [proxy.GetOutputPortName(i) for i in range(proxy.GetNumberOfOutputPorts())]
     assert ports == names, ports
@@ -94,7 +100,7 @@ case = {"FileType": "Binary", "RegionsAs": "Meshes", "ZoneRegions": [], "ZoneBor
 assert sorted(writer.ListProperties()) == sorted(["FileName", "Input", "NamesOfRegions", *case])
 assert {name: writer.GetPropertyValue(name) for name in case} == case
 for suffix, label in (("cgns", "CGNS Mesh"), ("msh", "Fluent Mesh"), ("case", "EnSight Mesh"), ("vtm", "Region Blocks"),
-                      ("vtpc", "Region Blocks")):
+                      ("vtpc", "Region Blocks"), ("html", "Mesh Report")):
     writer = simple.CreateWriter(f"mesh.{suffix}", mesher)
     assert writer.GetXMLLabel() == f"{label} Writer", writer.GetXMLLabel()
     assert sorted(writer.ListProperties()) == ["FileName", "Input"]

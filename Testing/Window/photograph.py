@@ -46,6 +46,19 @@ with Screen(1400, 1000) as screen:
         choose("FlowDirection", "Plus Y"), choose("Ground", "zMin"), *[number(f"Lengths{side}", length) for side, length in
             (("Before", 1.5), ("Behind", 3), ("Beside", 1))], macro("camera")), HELP / "look.png")
 
+STRICT = """
+from paraview import simple
+quality = simple.FindSource("FiniteVolumeQuality1")
+quality.NonOrthogonalityLimit = 40
+simple.SetActiveSource(quality)
+"""
+
+with Screen(1400, 900) as screen:
+    screen.add_macro("strict", STRICT)
+    screen.photograph(script(*BEGIN, number("CellSize", 12), apply(), meshing_menu("FiniteVolumeQuality"), apply(), macro("strict"),
+        event(f"{PROPERTIES}/ShowFailingCells/1QPushButton0", "activate")), HELP / "quality.png")
+    screen.photograph(script(*BEGIN, number("CellSize", 12), apply(), meshing_menu("QualityHistogram"), apply()), HELP / "histogram.png")
+
 with Screen(1400, 3700) as screen:
     screen.photograph(script(*BEGIN, advanced(), table_row("RefinementBlocks", 0, [0, 4, 0, 9, 2, 2, 3, 1]),
         table_row("BoundaryRefinement", 0, [1, 2, 1, 0]), table_row("BoundaryRefinement", 1, [2, 2, 1, 0]),

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names of arrays and options as words.
+#pragma once
+
+#include <cctype>
+#include <string>
+
+namespace cartesian
+{
+
+// NonOrthogonality: Non Orthogonality, as the panel has it; NamedSTLReader: Named STL Reader.
+inline std::string wordsOf(const std::string& name)
+{
+  const auto isCapital = [&](std::size_t i) {
+    return i < name.size() && std::isupper(static_cast<unsigned char>(name[i])) != 0;
+  };
+  std::string words;
+  for (std::size_t i = 0; i < name.size(); ++i)
+  {
+    const bool begins =
+      isCapital(i) && (!isCapital(i - 1) || (i + 1 < name.size() && !isCapital(i + 1)));
+    words += i > 0 && begins ? " " : "";
+    words += name[i];
+  }
+  return words;
+}
+
+}
