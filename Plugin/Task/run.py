@@ -95,12 +95,10 @@ def opened(file, fail, kinds=SURFACES):
     return reader
 
 
-def surface(task, files, *where):
-    """A source of all files; several are blocks named after the files."""
+def surface(task, files, *where, names=()):
+    """A source of all files: of one as it is, or of blocks with these names."""
     readers = [opened(file, lambda what: task.error(where, what)) for file in files]
-    if len(readers) == 1:
-        return readers[0]
-    return simple.GroupDatasets(Input=readers, BlockNames=[file.stem for file in files])
+    return simple.GroupDatasets(Input=readers, BlockNames=names) if names else readers[0]
 
 
 def boundary_numbers(mesher):
@@ -135,7 +133,7 @@ def set_properties(mesher, task):
 
 def build(task):
     """The pipeline of a task, not yet run."""
-    source = surface(task, task.surfaces, "surface", "file")
+    source = surface(task, task.surfaces, "surface", "file", names=task.names)
     regions = [simple.RefinementRegion(
                    Input=surface(task, [region.file], "regions", i, "file") if region.file else source,
                    **({"Shape": "Input"} if region.file else {}) | region.properties)

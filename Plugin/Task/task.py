@@ -2,6 +2,7 @@
 
     [surface]
     file = "header.stl"        # any that ParaView opens; or a list: each a boundary, called as its file
+    names = ["header"]         # or by these names, one for each file
 
     [grid]                     # these tables have the groups of Cartesian Mesher's panel, and its
     cell_size = 4.0            # properties: see `cartesian-mesher --template`
@@ -45,7 +46,7 @@ import tomllib
 from parameters import BadValue, collections, parameters, shown
 
 MESHER, REGION, CASE_WRITER = "CartesianMesher", "RefinementRegion", "PolyMeshWriter"
-FILE_KEYS = {"surface": {"file"}, "refinement": {"size_field"}}  # beside the properties, by table
+FILE_KEYS = {"surface": {"file", "names"}, "refinement": {"size_field"}}  # beside the properties, by table
 
 
 def printable(text):
@@ -70,6 +71,7 @@ class Region:
 class Task:
     path: pathlib.Path
     surfaces: list
+    names: list  # of the surfaces' blocks; or empty: a single file is no block
     properties: dict  # of Cartesian Mesher, by their names in Python
     regions: list
     size_field: pathlib.Path | None
@@ -230,6 +232,16 @@ class _Reader:
         return Region(self.files(content["file"], where + ("file",), exist=True)[0], properties)
 
 
+def block_names(reader, surface, files):
+    """What the blocks of several files are called."""
+    names = surface.get("names", [file.stem for file in files] if len(files) > 1 else [])
+    if not isinstance(names, list) or not all(isinstance(name, str) and name for name in names):
+        reader.fail(("surface", "names"), "must be a list of names")
+    if "names" in surface and len(names) != len(files):
+        reader.fail(("surface", "names"), f"must have a name for each file, {len(files)} in all")
+    return names
+
+
 def targets_of(file):
     """The paths written for an output: the file, and the folder of its blocks."""
     return (file, file.with_suffix("")) if file.suffix in (".vtm", ".vtpc") else (file,)
@@ -289,5 +301,5 @@ def read_task(path):
             reader.fail(("refinement", "size_field"), "must be the name of a file")
         size_field = reader.file(size_field, ("refinement", "size_field"), True)
     inputs = [reader.path, *surfaces, *([size_field] if size_field else []), *(region.file for region in regions if region.file)]
-    return Task(path=reader.path, surfaces=surfaces, properties=properties, regions=regions, size_field=size_field,
+    return Task(path=reader.path, surfaces=surfaces, names=block_names(reader, content["surface"], surfaces), properties=properties, regions=regions, size_field=size_field,
         case=case, reader=reader, **outputs(reader, content.get("output", {}), inputs))

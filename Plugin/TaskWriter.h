@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Task files of the present settings: File > Save Data, .toml.
+#pragma once
+
+namespace cartesian
+{
+
+// Called when the plugin is loaded. From then on there are the proxies <TaskWriterProxy> and, for their inputs, the domain
+// <TaskSourceDomain> of meshers that tasks are for.
+void registerTaskWriter();
+
+}
