@@ -80,9 +80,10 @@ class Parameter:
 
     def _one(self, value, where):
         if self.choices:
-            if value not in self.choices:
-                raise BadValue(f"{where}{shown(value)} is not one of {', '.join(map(repr, self.choices))}")
-            return value
+            for choice in self.choices:  # "Box" in one table of the panel is "box" in another
+                if isinstance(value, str) and value.casefold() == choice.casefold():
+                    return choice
+            raise BadValue(f"{where}{shown(value)} is not one of {', '.join(map(repr, self.choices))}")
         if self.kind is str:
             if not isinstance(value, str):
                 raise BadValue(f"{where}{shown(value)} is not a text")
