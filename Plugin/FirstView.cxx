@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FirstView.h"
 
+#include "PortHints.h"
 #include "Registration.h"
 
 #include "vtkDataObject.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
-#include "vtkSMOutputPort.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
@@ -18,7 +17,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <set>
 #include <string>
 #include <utility>
@@ -29,9 +27,6 @@ namespace cartesian
 
 namespace
 {
-
-// More than these have no edges: a view of a million pixels would be full of them.
-constexpr vtkTypeInt64 MostFacesWithEdges = 60000;
 
 constexpr double OpacityOfSides = 0.15;
 constexpr double LineWidthOfDefects = 4;
@@ -46,7 +41,8 @@ constexpr double LongLegend = 0.5; // of the view
 constexpr const char* Boundaries = "BoundaryName";
 constexpr const char* Defects = "DefectName";
 constexpr const char* Regions = "Region";
-constexpr std::array<const char*, 3> Arrays{ Boundaries, Defects, Regions };
+constexpr const char* Interfaces = "InterfaceName";
+constexpr std::array<const char*, 4> Arrays{ Boundaries, Defects, Regions, Interfaces };
 
 struct Category
 {
@@ -195,23 +191,6 @@ void addCategories(vtkSMProxy* colours, const std::vector<Category>& categories,
   colours->UpdateVTKObjects();
 }
 
-// The source's hint of this name for a port; null: none.
-vtkPVXMLElement* hintOf(vtkSMProxy* source, int port, const char* name)
-{
-  vtkPVXMLElement* hints = source->GetHints();
-  for (unsigned int i = 0; hints && i < hints->GetNumberOfNestedElements(); ++i)
-  {
-    vtkPVXMLElement* hint = hints->GetNestedElement(i);
-    int of = 0;
-    if (std::strcmp(hint->GetName(), name) == 0 && hint->GetScalarAttribute("port", &of) != 0 &&
-      of == port)
-    {
-      return hint;
-    }
-  }
-  return nullptr;
-}
-
 void set(vtkSMProxy* representation, const char* property, double value)
 {
   vtkSMPropertyHelper(representation, property, true).Set(value);
@@ -226,8 +205,7 @@ void prepareText(vtkSMProxy* representation)
   representation->UpdateVTKObjects();
 }
 
-void prepareColours(
-  vtkSMProxy* representation, vtkSMSourceProxy* source, int port, const std::string& array)
+void prepareColours(vtkSMProxy* representation, vtkSMSourceProxy* source, const std::string& array)
 {
   vtkSMSessionProxyManager* proxies = representation->GetSessionProxyManager();
   const std::vector<Category> regions = categoriesOf(source, Regions);
@@ -237,7 +215,8 @@ void prepareColours(
   }
   const bool areDefects = array == Defects;
   const std::vector<Category> categories = categoriesOf(source, array);
-  const bool hasColours = areDefects ? !categories.empty() : categories.size() > 1;
+  const std::size_t fewest = array == Boundaries ? 2 : 1;
+  const bool hasColours = categories.size() >= fewest;
   if (hasColours)
   {
     addCategories(coloursOf(array, proxies), categories, sidesOf(source), areDefects);
@@ -250,27 +229,19 @@ void prepareColours(
   {
     set(representation, "LineWidth", LineWidthOfDefects);
   }
-  else if (vtkSMOutputPort* output = source->GetOutputPort(static_cast<unsigned int>(port));
-           output->GetDataInformation()->GetNumberOfCells() > MostFacesWithEdges)
-  {
-    vtkSMPropertyHelper(representation, "Representation", true).Set("Surface");
-  }
   representation->UpdateVTKObjects();
 }
 
 void prepare(vtkSMProxy* representation)
 {
-  const vtkSMPropertyHelper input(representation, "Input", true);
-  auto* source =
-    input.GetNumberOfElements() == 1 ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
+  const auto [source, port] = inputOf(representation);
   if (!source)
   {
     return;
   }
-  const auto port = static_cast<int>(input.GetOutputPort());
   if (vtkPVXMLElement* hint = hintOf(source, port, "Colours"))
   {
-    prepareColours(representation, source, port, hint->GetAttribute("array"));
+    prepareColours(representation, source, hint->GetAttribute("array"));
   }
   if (hintOf(source, port, "SmallText"))
   {
