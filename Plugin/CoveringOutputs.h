@@ -5,10 +5,12 @@
 namespace cartesian
 {
 
-// Called when the plugin is loaded. From then on, where a filter takes the place of an output in the active view, as in
-// the window after Apply, another output of the same source is hidden with it, if the source has the hint
+// Called when the plugin is loaded. From then on, where the window shows a filter in the active view, it hides another
+// output of the filter's source there, if that has the hint
 //
 //   <Covers port="1" what="0"/>
+//
+// and the filter is of output 0 and replaces its input. Scripts without a window hide what they want.
 void watchCoveringOutputs();
 
 }

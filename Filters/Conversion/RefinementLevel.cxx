@@ -6,6 +6,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace cartesian
 {
@@ -21,7 +22,10 @@ void setRefinementLevel(vtkCellData* data)
     const unsigned char* const level = levels->GetPointer(3 * i);
     deepest->SetValue(i, *std::max_element(level, level + 3));
   }
-  data->SetScalars(deepest);
+  const unsigned char* const first = deepest->GetPointer(0);
+  const unsigned char* const end = first + deepest->GetNumberOfValues();
+  const bool differs = std::adjacent_find(first, end, std::not_equal_to<>()) != end;
+  differs ? data->SetScalars(deepest) : data->AddArray(deepest);
 }
 
 }

@@ -8,7 +8,7 @@ class vtkCellData;
 namespace cartesian
 {
 
-// Adds the cell array RefinementLevel, the largest of the three of Level, as the active scalars.
+// Adds the cell array RefinementLevel, the largest of the three of Level, as the active scalars if cells differ.
 void setRefinementLevel(vtkCellData* data);
 
 }

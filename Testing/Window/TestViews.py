@@ -1,0 +1,40 @@
+"""What the window shows after Apply: the clip of a mesh is not covered by its boundary, a mesh that has become large has no edges, and
+saving a surface as a case says what to save instead; the next case has the settings of the last one."""
+
+import pathlib
+import sys
+
+from events import apply, choose, event, macro, meshing_menu, number, open_file, script
+from window import Screen
+
+SURFACE = pathlib.Path(sys.argv[1]) / "Data" / "kcl_exhaust_header_lumens.stl"
+NOTE = """
+from paraview import simple
+mesher, view = simple.FindSource("CartesianMesher1"), simple.GetActiveView()
+displays = [simple.GetDisplayProperties(simple.OutputPort(mesher, port), view) for port in range(2)]
+open("{folder}/notes.txt", "a").write(repr([displays[0].Visibility, displays[1].Visibility, displays[1].Representation]) + "\\n")
+"""
+SELECT = """
+from paraview import servermanager, simple
+proxies = servermanager.ActiveConnection.Session.GetSessionProxyManager()
+mesher = simple.FindSource("CartesianMesher1").SMProxy
+proxies.GetSelectionModel("ActiveSources").SetCurrentProxy(mesher.GetOutputPort({port}), 3)
+"""
+
+
+def filter(category, name):
+    return "\n".join([event("pqClientMainWindow/menubar", "activate", "menuFilters"),
+        event(f"pqClientMainWindow/menubar/menuFilters/{category}", "activate", name)])
+
+
+with Screen() as screen:
+    screen.add_macro("note", NOTE.replace("{folder}", str(screen.folder)))
+    for port in 0, 1:
+        screen.add_macro(f"select{port}", SELECT.replace("{port}", str(port)))
+    begin = [open_file(SURFACE, choose_reader=True), apply(), meshing_menu("CartesianMesher")]
+    screen.play(script(*begin, number("CellSize", 12), apply(), macro("note"), number("CellSize", 2), apply(), macro("note"),
+        number("CellSize", 12), apply(), macro("note"), macro("select0"), filter("Common", "Clip"), apply(), macro("note")))
+    first, large, again, clipped = map(eval, (screen.folder / "notes.txt").read_text().splitlines())
+    assert first == again == [1, 1, "Surface With Edges"], (first, again)
+    assert large == [1, 1, "Surface"], large
+    assert clipped[1] == 0, "the boundary covers the clip"
