@@ -8,10 +8,8 @@
 #include "vtkClientServerInterpreterInitializer.h"
 #include "vtkClientServerStream.h"
 #include "vtkObjectFactory.h"
-#include "vtkSMDomain.h"
-#include "vtkSMInputProperty.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMUncheckedPropertyHelper.h"
 #include "vtkSMWriterProxy.h"
 
 #include <algorithm>
@@ -26,7 +24,6 @@ namespace cartesian
 namespace
 {
 
-constexpr const char* Mesher = "CartesianMesher";
 constexpr int InputShape = 2; // of Refinement Region
 
 // As a task file names it: relative to its folder, if the file is in there.
@@ -187,37 +184,8 @@ private:
 };
 vtkStandardNewMacro(vtkSMTaskWriterProxy);
 
-class vtkSMTaskSourceDomain : public vtkSMDomain
-{
-public:
-  static vtkSMTaskSourceDomain* New();
-  vtkTypeMacro(vtkSMTaskSourceDomain, vtkSMDomain);
-
-  int IsInDomain(vtkSMProperty* property) override
-  {
-    const vtkSMUncheckedPropertyHelper input(property);
-    vtkSMProxy* const source = input.GetNumberOfElements() == 1 ? input.GetAsProxy() : nullptr;
-    return source && std::strcmp(source->GetXMLName(), cartesian::Mesher) == 0
-      ? vtkSMDomain::IN_DOMAIN
-      : vtkSMDomain::NOT_IN_DOMAIN;
-  }
-
-protected:
-  vtkSMTaskSourceDomain() = default;
-  ~vtkSMTaskSourceDomain() override = default;
-
-private:
-  vtkSMTaskSourceDomain(const vtkSMTaskSourceDomain&) = delete;
-  void operator=(const vtkSMTaskSourceDomain&) = delete;
-};
-vtkStandardNewMacro(vtkSMTaskSourceDomain);
-
 void cartesian::registerTaskWriter()
 {
-  vtkClientServerInterpreter* interpreter =
-    vtkClientServerInterpreterInitializer::GetGlobalInterpreter();
-  interpreter->AddNewInstanceFunction(
+  vtkClientServerInterpreterInitializer::GetGlobalInterpreter()->AddNewInstanceFunction(
     "vtkSMTaskWriterProxy", [](void*) -> vtkObjectBase* { return vtkSMTaskWriterProxy::New(); });
-  interpreter->AddNewInstanceFunction(
-    "vtkSMTaskSourceDomain", [](void*) -> vtkObjectBase* { return vtkSMTaskSourceDomain::New(); });
 }

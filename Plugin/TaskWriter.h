@@ -5,8 +5,7 @@
 namespace cartesian
 {
 
-// Called when the plugin is loaded. From then on there are the proxies <TaskWriterProxy> and, for their inputs, the domain
-// <TaskSourceDomain> of meshers that tasks are for.
+// Called when the plugin is loaded. From then on there are proxies <TaskWriterProxy>.
 void registerTaskWriter();
 
 }

@@ -143,8 +143,8 @@ def missing_inlet(mesher, task):
     names = [*boundary_numbers(mesher), *task.properties.get("BoundaryMergedNames", [])]
     if any(name.startswith("inlet") for name in names):
         return []
-    return [task.error(("case", "solver_setup"), f"{solver!r} needs an inlet, but no boundary has a name that begins with inlet, only "
-        f"{', '.join(filter(None, names)) or 'unnamed ones'}: name one, for example by merged_name in [[boundaries]]")]
+    return [task.error(("case", "solver_setup"), f"no boundary is an inlet, as {solver} needs one, only "
+        f"{', '.join(filter(None, names)) or 'unnamed ones'}: give one a name that begins with inlet, for example by merged_name in [[boundaries]]")]
 
 
 def build(task):

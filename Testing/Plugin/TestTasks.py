@@ -255,7 +255,7 @@ for text, *parts in (
         ":17: mesh: is not a known key"),
     (FILES + "[refinement]\nboundary_refinement = [\n" + "".join(f'["{name}", 1, 1, 0],\n' for name in ("wall", "roof", "lid")) + "]\n"
         "[case]\nsolver_setup = 'Incompressible'\n[output]\nmesh = 'm.foam'\n", "no boundary 'wall', only roof, floor", "no boundary 'lid'",
-        ":10: case.solver_setup: 'Incompressible' needs an inlet, but no boundary has a name that begins with inlet, only roof, floor: name"),
+        ":10: case.solver_setup: no boundary is an inlet, as Incompressible needs one, only roof, floor: give one a name"),
     ('[surface]\nfile = "noise.vtp"\n[[regions]]\nfile = "table.csv"\ndepth = 1\n', ":2: surface.file: ParaView cannot read", ":4: regions[0].file"),
 ):
     for arguments in ((), ("--check",)):

@@ -4,7 +4,7 @@ saving a surface as a case says what to save instead; the next case has the sett
 import pathlib
 import sys
 
-from events import apply, choose, event, macro, meshing_menu, number, open_file, script
+from events import apply, check, event, macro, meshing_menu, number, open_file, script
 from window import Screen
 
 SURFACE = pathlib.Path(sys.argv[1]) / "Data" / "kcl_exhaust_header_lumens.stl"
@@ -20,6 +20,15 @@ proxies = servermanager.ActiveConnection.Session.GetSessionProxyManager()
 mesher = simple.FindSource("CartesianMesher1").SMProxy
 proxies.GetSelectionModel("ActiveSources").SetCurrentProxy(mesher.GetOutputPort({port}), 3)
 """
+
+
+DIALOG = "pqClientMainWindow/WriterSettingsDialog"
+IN_DIALOG = f"{DIALOG}/scrollArea/qt_scrollarea_viewport/Container/ProxyWidget"
+
+
+def save(file):
+    return [event("pqClientMainWindow/menubar/menu_File", "activate", "actionFileSaveData"),
+        event("pqClientMainWindow/FileSaveDialog", "filesSelected", file)]
 
 
 def filter(category, name):
@@ -38,3 +47,21 @@ with Screen() as screen:
     assert first == again == [1, 1, "Surface With Edges"], (first, again)
     assert large == [1, 1, "Surface"], large
     assert clipped[1] == 0, "the boundary covers the clip"
+
+    # The second case has the settings of the first, but Overwrite Setup; scripts in the window as well as without it start anew.
+    for case in "first", "second":
+        (screen.folder / case).mkdir()
+    screen.play(script(*begin, number("CellSize", 12), apply(), macro("select0"), *save(screen.folder / "first" / "case.foam"),
+        event(f"{IN_DIALOG}/SolverSetup/ComboBox", "set_string", "Incompressible"), event(f"{IN_DIALOG}/Scale/DoubleLineEdit0", "set_string", "0.001"),
+        event(f"{IN_DIALOG}/OverwriteSetup/CheckBox", "set_boolean", "true"), event(f"{DIALOG}/widget/OKButton", "activate"),
+        *save(screen.folder / "second" / "case.foam"), check(f"{IN_DIALOG}/SolverSetup/ComboBox", "currentText", "Incompressible"),
+        check(f"{IN_DIALOG}/Scale/DoubleLineEdit0", "text", "0.001"), check(f"{IN_DIALOG}/OverwriteSetup/CheckBox", "checked", "false"),
+        event(f"{DIALOG}/widget/OKButton", "activate")))
+    assert (screen.folder / "second" / "Allrun").exists()
+
+    # A surface is no mesh: the message says what to save.
+    folder = screen.folder / "surface"
+    folder.mkdir()
+    said = screen.play(script(*begin, number("CellSize", 12), apply(), macro("select1"), *save(folder / "case.foam")))
+    assert "the output Boundary of CartesianMesher1 (Cartesian Mesher) is a surface" in said and "Select its output Mesh" in said, said
+    assert not list(folder.iterdir())
