@@ -10,11 +10,14 @@
 #include "vtkObjectFactory.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMWriterProxy.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -126,6 +129,21 @@ void addZones(std::vector<TaskTable>& tables, vtkSMProxy* mesher, const std::str
   }
 }
 
+// The settings of the case that the window saved last; empty: none, or the defaults.
+TaskTable caseOf(vtkSMProxy* mesher)
+{
+  vtkSmartPointer<vtkSMProxy> writer;
+  writer.TakeReference(mesher->GetSessionProxyManager()->NewProxy("writers", "PolyMeshWriter"));
+  vtkSMPropertyHelper(writer, "FileName").Set("case.foam");
+  TaskTable all{ "case", false, {} };
+  for (const TaskTable& table : tablesOf(writer))
+  {
+    std::copy_if(table.entries.begin(), table.entries.end(), std::back_inserter(all.entries),
+      [](const auto& entry) { return entry.first != "file_name" && entry.first != "pieces"; });
+  }
+  return all;
+}
+
 // The whole task; throws std::runtime_error where a task cannot say what there is.
 std::string taskOf(vtkSMProxy* mesher, const std::string& task)
 {
@@ -134,7 +152,13 @@ std::string taskOf(vtkSMProxy* mesher, const std::string& task)
   addSizeField(tables, mesher, task);
   addZones(tables, mesher, task);
   const std::filesystem::path file(task);
-  tables.push_back({ "output", false, { { "mesh", tomlText(file.stem().string() + ".vtu") } } });
+  const std::string stem = file.stem().string();
+  const TaskTable ofCase = caseOf(mesher);
+  tables.push_back({ "output", false,
+    { { "mesh",
+      ofCase.entries.empty() ? tomlText(stem + ".vtu")
+                             : list({ stem + ".vtu", stem + "/case.foam" }) } } });
+  tables.push_back(ofCase);
   return "# The settings of " + nameInBrowser(mesher) + ". cartesian-mesher " +
     file.filename().string() +
     " makes the same mesh; cartesian-mesher --template explains all keys.\n" + textOf(tables);

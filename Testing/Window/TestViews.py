@@ -2,6 +2,7 @@
 saving a surface as a case says what to save instead; the next case has the settings of the last one."""
 
 import pathlib
+import subprocess
 import sys
 
 from events import apply, check, event, macro, meshing_menu, number, open_file, script
@@ -56,8 +57,12 @@ with Screen() as screen:
         event(f"{IN_DIALOG}/OverwriteSetup/CheckBox", "set_boolean", "true"), event(f"{DIALOG}/widget/OKButton", "activate"),
         *save(screen.folder / "second" / "case.foam"), check(f"{IN_DIALOG}/SolverSetup/ComboBox", "currentText", "Incompressible"),
         check(f"{IN_DIALOG}/Scale/DoubleLineEdit0", "text", "0.001"), check(f"{IN_DIALOG}/OverwriteSetup/CheckBox", "checked", "false"),
-        event(f"{DIALOG}/widget/OKButton", "activate")))
+        event(f"{DIALOG}/widget/OKButton", "activate"), *save(screen.folder / "task.toml")))
     assert (screen.folder / "second" / "Allrun").exists()
+    # A task has them too.
+    subprocess.run([sys.argv[2], "--quiet", str(screen.folder / "task.toml")], check=True)
+    for file in "constant/polyMesh/points", "system/controlDict", "0/U":
+        assert (screen.folder / "task" / file).read_bytes() == (screen.folder / "second" / file).read_bytes(), file
 
     # A surface is no mesh: the message says what to save.
     folder = screen.folder / "surface"
