@@ -233,6 +233,8 @@ for row, ends in ("", [1, 1]), ('type = "wall"', [1, 1]), ("depth = 0", [1, 1]),
 # A mesh with warnings.
 said = here('[surface]\nfile = "roof.stl"\n[grid]\ncell_size = 0.1\n[output]\nstatistics = "s.json"\n', code=WARNINGS)
 assert "warning: The surface has 4 open edges" in said, said
+said = here('[surface]\nfile = "roof.stl"\n[grid]\ncell_size = 0.1\n', "--check", code=WARNINGS)
+assert "warning: The surface has 4 open edges" in said, said
 statistics = json.loads((folder / "s.json").read_text())
 assert statistics["error_code"] == 0 and "open edges" in statistics["warnings"][0]
 # In pieces too, where it is said while files are open.
