@@ -7,7 +7,9 @@
 
 #include "Base/Recording.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkDataObject.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -41,6 +43,23 @@ void recordIfAsked(
   recording.end();
   std::ofstream stream(file, std::ios::app);
   recording.write(stream);
+}
+
+// Statistics are read by name; menus of arrays to colour by list dozens of them otherwise. Those of the input are
+// another's.
+void hideFields(vtkDataObject* output, vtkDataObject* input)
+{
+  vtkFieldData* const fields = output ? output->GetFieldData() : nullptr;
+  for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* const array = fields->GetAbstractArray(i);
+    const bool isGiven = input && input->GetFieldData() && array->GetName() &&
+      input->GetFieldData()->GetAbstractArray(array->GetName()) == array;
+    if (!isGiven)
+    {
+      array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
+    }
+  }
 }
 
 }
@@ -95,6 +114,14 @@ vtkTypeBool vtkCartesianAlgorithm::ProcessRequest(
     this->ToldWarnings.clear();
   }
   const vtkTypeBool done = this->Superclass::ProcessRequest(request, input, output);
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    for (int port = 0; port < output->GetNumberOfInformationObjects(); ++port)
+    {
+      hideFields(vtkDataObject::GetData(output, port),
+        this->GetNumberOfInputPorts() > 0 ? vtkDataObject::GetData(input[0], 0) : nullptr);
+    }
+  }
   this->TellWarnings();
   return done;
 }

@@ -92,6 +92,11 @@ protected:
    */
   void Warn(const std::string& text);
 
+  /**
+   * Prints the warnings so far: after work that is no update.
+   */
+  void TellWarnings();
+
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
@@ -174,8 +179,6 @@ protected:
   std::function<bool()> HasOtherFailed; // of the processes; null: there are no others
 
 private:
-  void TellWarnings();
-
   std::vector<std::string> Warnings; // not printed yet
   std::vector<std::string> ToldWarnings;
   std::vector<std::string> Legend;

@@ -20,6 +20,7 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
@@ -323,12 +324,13 @@ double* vtkCartesianGridAlgorithm::EstimateSize()
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     this->UpdateOptionalInputs();
     const cartesian::SurfaceFromVTK surface = this->ReadWithSides(this->UpdatedSurface());
-    this->Prepare(surface, execution);
+    this->Inspect(this->Prepare(surface, execution), surface, vtkNew<vtkPolyData>(), execution);
     const Asked asked = this->Ask(surface);
     const cartesian::ExpectedMesh mesh =
       cartesian::expectedMesh(surface.view(), asked.options, execution);
     this->EstimatedSize = { mesh.boxes, mesh.cells, mesh.bytes };
   });
+  this->TellWarnings();
   return this->EstimatedSize.data();
 }
 

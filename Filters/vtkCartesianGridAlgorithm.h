@@ -117,7 +117,7 @@ public:
 
   /**
    * Updates the surface and estimates, in a fraction of the meshing time, the size of the mesh: boxes, cells,
-   * and bytes of memory. All 0 on an error.
+   * and bytes of memory. All 0 on an error. Warns of flaws of the surface.
    */
   double* EstimateSize() VTK_SIZEHINT(3);
 

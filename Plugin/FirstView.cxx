@@ -2,15 +2,13 @@
 #include "FirstView.h"
 
 #include "Base/Palette.h"
-#include "Hints.h"
+#include "PortHints.h"
 #include "Registration.h"
 
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
-#include "vtkPVDataInformation.h"
 #include "vtkPVXMLElement.h"
-#include "vtkSMOutputPort.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
@@ -31,9 +29,6 @@ namespace cartesian
 namespace
 {
 
-// More than these have no edges: a view of a million pixels would be full of them.
-constexpr vtkTypeInt64 MostFacesWithEdges = 60000;
-
 constexpr double OpacityOfSides = 0.15;
 constexpr double LineWidthOfDefects = 4;
 constexpr double ColourOfEdges = 0.25;
@@ -47,7 +42,8 @@ constexpr double LongLegend = 0.5; // of the view
 constexpr const char* Boundaries = "BoundaryName";
 constexpr const char* Defects = "DefectName";
 constexpr const char* Regions = "Region";
-constexpr std::array<const char*, 3> Arrays{ Boundaries, Defects, Regions };
+constexpr const char* Interfaces = "InterfaceName";
+constexpr std::array<const char*, 4> Arrays{ Boundaries, Defects, Regions, Interfaces };
 
 struct Category
 {
@@ -202,8 +198,7 @@ void prepareText(vtkSMProxy* representation)
   representation->UpdateVTKObjects();
 }
 
-void prepareColours(
-  vtkSMProxy* representation, vtkSMSourceProxy* source, int port, const std::string& array)
+void prepareColours(vtkSMProxy* representation, vtkSMSourceProxy* source, const std::string& array)
 {
   vtkSMSessionProxyManager* proxies = representation->GetSessionProxyManager();
   const std::vector<Category> regions = categoriesOf(source, Regions);
@@ -213,7 +208,8 @@ void prepareColours(
   }
   const bool areDefects = array == Defects;
   const std::vector<Category> categories = categoriesOf(source, array);
-  const bool hasColours = areDefects ? !categories.empty() : categories.size() > 1;
+  const std::size_t fewest = array == Boundaries ? 2 : 1;
+  const bool hasColours = categories.size() >= fewest;
   if (hasColours)
   {
     addCategories(coloursOf(array, proxies), categories, sidesOf(source), areDefects);
@@ -226,27 +222,19 @@ void prepareColours(
   {
     set(representation, "LineWidth", LineWidthOfDefects);
   }
-  else if (vtkSMOutputPort* output = source->GetOutputPort(static_cast<unsigned int>(port));
-           output->GetDataInformation()->GetNumberOfCells() > MostFacesWithEdges)
-  {
-    vtkSMPropertyHelper(representation, "Representation", true).Set("Surface");
-  }
   representation->UpdateVTKObjects();
 }
 
 void prepare(vtkSMProxy* representation)
 {
-  const vtkSMPropertyHelper input(representation, "Input", true);
-  auto* source =
-    input.GetNumberOfElements() == 1 ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
+  const auto [source, port] = inputOf(representation);
   if (!source)
   {
     return;
   }
-  const auto port = static_cast<int>(input.GetOutputPort());
   if (vtkPVXMLElement* hint = hintOf(source, port, "Colours"))
   {
-    prepareColours(representation, source, port, hint->GetAttribute("array"));
+    prepareColours(representation, source, hint->GetAttribute("array"));
   }
   if (hintOf(source, port, "SmallText"))
   {

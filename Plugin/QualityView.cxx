@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QualityView.h"
 
-#include "Hints.h"
+#include "PortHints.h"
 #include "Quality/QualityMeasures.h"
 #include "Registration.h"
 

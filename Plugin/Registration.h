@@ -11,6 +11,12 @@
 namespace cartesian
 {
 
+// Whether there is ParaView's window, instead of scripts alone: Qt's connections with an object end with it.
+inline bool isInWindow()
+{
+  return vtkSMProxyManager::GetProxyManager()->HasObserver(vtkCommand::DeleteEvent) != 0;
+}
+
 // From now on calls Action(proxy, group) for each.
 template <void (*Action)(vtkSMProxy*, const std::string&)>
 void onRegistered()

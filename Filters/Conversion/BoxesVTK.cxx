@@ -3,6 +3,7 @@
 
 #include "FieldData.h"
 #include "Lattice/Numbering.h"
+#include "RefinementLevel.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -328,6 +329,7 @@ void setCellData(const Boxes& boxes, vtkCellData* data)
   data->AddArray(offset);
   data->AddArray(status);
   data->AddArray(cornerStatus);
+  setRefinementLevel(data);
 }
 
 }

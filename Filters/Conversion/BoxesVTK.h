@@ -2,7 +2,7 @@
 // The kernel's boxes as a vtkUnstructuredGrid of voxels, and back.
 //
 // Cell arrays: GlobalBox (int, components I, J, K), Level (unsigned char, components X, Y, Z: how
-// often the global box is halved along each axis), Offset (unsigned short, components X, Y, Z: of
+// often the global box is halved along each axis), RefinementLevel (unsigned char: the largest of these), Offset (unsigned short, components X, Y, Z: of
 // the low corner in its global box, in parts of it), Status (unsigned char: 1 inside, 2 intersected),
 // CornerStatus (unsigned char, bit x + 2 y + 4 z: that corner is inside).
 // Field data: LatticeOrigin (3, user units), LatticeStep (1, user units), PartsPerBox (1: of a global box along each

@@ -7,6 +7,7 @@
 #include "Mesher/Statistics.h"
 #include "Polyhedra/CellGeometry.h"
 #include "PolyhedronStorage.h"
+#include "RefinementLevel.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -206,6 +207,7 @@ void setCellData(const Assembly& assembly, vtkUnstructuredGrid* grid, Execution&
   {
     setLayers(mesh, *assembly.layers, grid);
   }
+  setRefinementLevel(grid->GetCellData());
 }
 
 void setStatistics(const Assembly& assembly, const Processes& processes, vtkUnstructuredGrid* grid)
@@ -655,6 +657,9 @@ void setInterfaces(const Assembly& assembly, const std::vector<std::string>& nam
   }
   output->GetFieldData()->AddArray(interfaceNames);
   vtkCellData* data = output->GetCellData();
+  data->AddArray(arrayOf<vtkStringArray>("InterfaceName", faces.size(), [&](std::size_t i) {
+    return interfaceNames->GetValue(ids.at({ wallOf(i).behind, wallOf(i).front }));
+  }));
   data->SetScalars(arrayOf<vtkIntArray>("InterfaceId", faces.size(), [&](std::size_t i) {
     return ids.at({ wallOf(i).behind, wallOf(i).front });
   }));

@@ -12,6 +12,7 @@
 #include "vtkTransformPolyDataFilter.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace cartesian
 {
@@ -21,9 +22,18 @@ namespace
 
 constexpr int Facets = 64; // once around
 
-// All between -1/2 and 1/2; a cylinder along y.
-vtkSmartPointer<vtkPolyDataAlgorithm> shapeOfUnitSize(const std::string& shape)
+std::string inLowerCase(const std::string& text)
 {
+  std::string lower = text;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+// All between -1/2 and 1/2; a cylinder along y.
+vtkSmartPointer<vtkPolyDataAlgorithm> shapeOfUnitSize(const std::string& name)
+{
+  const std::string shape = inLowerCase(name);
   if (shape == "box")
   {
     return vtkSmartPointer<vtkCubeSource>::New();
@@ -35,14 +45,14 @@ vtkSmartPointer<vtkPolyDataAlgorithm> shapeOfUnitSize(const std::string& shape)
     sphere->SetPhiResolution(Facets / 2);
     return sphere;
   }
-  if (shape == "cylinderX" || shape == "cylinderY" || shape == "cylinderZ")
+  if (shape == "cylinderx" || shape == "cylindery" || shape == "cylinderz")
   {
     const auto cylinder = vtkSmartPointer<vtkCylinderSource>::New();
     cylinder->SetResolution(Facets);
     return cylinder;
   }
   throw Error(Fault::BadParameter,
-    "Refinement Shapes has \"" + shape +
+    "Refinement Shapes has \"" + name +
       "\": choose one of box, sphere, cylinderX, cylinderY, cylinderZ.");
 }
 
@@ -61,11 +71,11 @@ vtkSmartPointer<vtkPolyData> shapeInBox(const std::string& shape,
   place->Translate(
     position[0] + lengths[0] / 2, position[1] + lengths[1] / 2, position[2] + lengths[2] / 2);
   place->Scale(lengths.data());
-  if (shape == "cylinderX")
+  if (inLowerCase(shape) == "cylinderx")
   {
     place->RotateZ(90);
   }
-  if (shape == "cylinderZ")
+  if (inLowerCase(shape) == "cylinderz")
   {
     place->RotateX(90);
   }

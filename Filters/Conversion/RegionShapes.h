@@ -13,7 +13,7 @@ namespace cartesian
 {
 
 // The box with this low corner and these lengths, or the sphere (if they differ, the ellipsoid) or the cylinder along an
-// axis that fills it: "box", "sphere", "cylinderX", "cylinderY", "cylinderZ". Throws Error: BadParameter.
+// axis that fills it: "box", "sphere", "cylinderX", "cylinderY", "cylinderZ", in any case. Throws Error: BadParameter.
 vtkSmartPointer<vtkPolyData> shapeInBox(const std::string& shape,
   const std::array<double, 3>& position, const std::array<double, 3>& lengths);
 

@@ -37,7 +37,7 @@ class Property:
     def __init__(self, element, column=None):
         self.element = element
         self.name = element.get("name")
-        self.label = element.get("label", self.name)
+        self.label = element.get("label", self.name).replace("\N{NO-BREAK SPACE}", " ")
         self.is_input = element.tag == "InputProperty"
         self.takes_several = element.get("multiple_input") == "1"
         self.is_information = element.get("information_only") == "1"

@@ -14,6 +14,11 @@ def key_of(label):
     return re.sub(r"[^a-z0-9]+", "_", label.lower()).strip("_")
 
 
+def name_of(label):
+    """A label as a name in Python: without its spaces, also those that do not break."""
+    return "".join(label.split())
+
+
 # Whole numbers go to the server as a C int.
 LEAST_INT, MOST_INT = -2**31, 2**31 - 1
 
@@ -80,9 +85,10 @@ class Parameter:
 
     def _one(self, value, where):
         if self.choices:
-            if value not in self.choices:
-                raise BadValue(f"{where}{shown(value)} is not one of {', '.join(map(repr, self.choices))}")
-            return value
+            for choice in self.choices:  # "Box" in one table of the panel is "box" in another
+                if isinstance(value, str) and value.casefold() == choice.casefold():
+                    return choice
+            raise BadValue(f"{where}{shown(value)} is not one of {', '.join(map(repr, self.choices))}")
         if self.kind is str:
             if not isinstance(value, str):
                 raise BadValue(f"{where}{shown(value)} is not a text")
@@ -186,7 +192,7 @@ def _parameter(property, table):
         kind = bool
         elements = [bool(element) for element in elements]
     least, most = _range(property)
-    return Parameter(name=label.replace(" ", ""), table=table, key=key_of(label), kind=kind,
+    return Parameter(name=name_of(label), table=table, key=key_of(label), kind=kind,
         count=count, rows=rows, columns=_columns(property) if count > 1 else [], choices=texts, least=least, most=most,
         with_least=not _has_hint(property, "MoreThanMinimum"),
         default=elements if rows or count > 1 else elements[0],
@@ -217,7 +223,7 @@ def collections(name):
     prototype = _prototype("filters", name)
     return [Collection(key, [
                 dataclasses.replace(_parameter(row.GetProperty(function), key),
-                    name=prototype.GetProperty(name).GetXMLLabel().replace(" ", ""))
+                    name=name_of(prototype.GetProperty(name).GetXMLLabel()))
                 for name, function in functions.items()])
         for key, functions, row in _groups(prototype) if row]
 

@@ -95,12 +95,10 @@ def opened(file, fail, kinds=SURFACES):
     return reader
 
 
-def surface(task, files, *where):
-    """A source of all files; several are blocks named after the files."""
+def surface(task, files, *where, names=()):
+    """A source of all files: of one as it is, or of blocks with these names."""
     readers = [opened(file, lambda what: task.error(where, what)) for file in files]
-    if len(readers) == 1:
-        return readers[0]
-    return simple.GroupDatasets(Input=readers, BlockNames=[file.stem for file in files])
+    return simple.GroupDatasets(Input=readers, BlockNames=names) if names else readers[0]
 
 
 def boundary_numbers(mesher):
@@ -114,39 +112,74 @@ def boundary_numbers(mesher):
 
 
 def set_properties(mesher, task):
-    """Sets all properties except those with names of boundaries, looks these up, sets the rest."""
+    """Sets all properties except those with names of boundaries, looks these up, sets the rest; errors of names that are not there."""
     named = {parameter.name: parameter for parameter in parameters(MESHER)
         if "boundary" in parameter.columns}
     for name, value in task.properties.items():
         if name not in named:
             setattr(mesher, name, value)
-    numbers = None
-    for name in set(named) & set(task.properties):
+    numbers, errors = None, []
+    for name in [name for name in named if name in task.properties]:
         values = list(task.properties[name])
         for i in range(named[name].columns.index("boundary"), len(values), named[name].count):
             if isinstance(values[i], str):
                 numbers = boundary_numbers(mesher) if numbers is None else numbers
-                if values[i] not in numbers:
-                    raise task.error((named[name].table, named[name].key), "the surface has no "
-                        f"boundary {values[i]!r}, only {', '.join(numbers) or 'unnamed ones'}")
-                values[i] = numbers[values[i]]
-        setattr(mesher, name, values)
+                if values[i] in numbers:
+                    values[i] = numbers[values[i]]
+                else:
+                    errors.append(task.error((named[name].table, named[name].key), "the surface has no "
+                        f"boundary {values[i]!r}, only {', '.join(numbers) or 'unnamed ones'}"))
+        if not errors:
+            setattr(mesher, name, values)
+    return errors
+
+
+def missing_inlet(mesher, task):
+    """Why no case could be written for the solver: that is known before the mesh is made."""
+    solver = task.case.get("SolverSetup", "None")
+    cases = [file for file in task.mesh if file.suffix == writing.CASE]
+    if solver == "None" or not cases or task.properties.get("Domain") == "Outside":  # whose sides have an inlet
+        return []
+    names = [*boundary_numbers(mesher), *task.properties.get("BoundaryMergedNames", [])]
+    if any(name.startswith("inlet") for name in names):
+        return []
+    return [task.error(("case", "solver_setup"), f"no boundary is an inlet, as {solver} needs one, only "
+        f"{', '.join(filter(None, names)) or 'unnamed ones'}: give one a name that begins with inlet, for example by merged_name in [[boundaries]]")]
+
+
+def divided(task, source):
+    """The surface, with the boundaries that Split Surface makes."""
+    for properties in task.splits:
+        source = simple.SplitSurface(Input=source, **properties)
+    return source
 
 
 def build(task):
-    """The pipeline of a task, not yet run."""
-    source = surface(task, task.surfaces, "surface", "file")
-    for properties in task.splits:
-        source = simple.SplitSurface(Input=source, **properties)
-    regions = [simple.RefinementRegion(
-                   Input=surface(task, [region.file], "regions", i, "file") if region.file else source,
-                   **({"Shape": "Input"} if region.file else {}) | region.properties)
+    """The pipeline of a task, not yet run. Throws TaskError with all that is wrong."""
+    errors = []
+
+    def read(action):
+        try:
+            return action()
+        except TaskError as error:
+            errors.append(error)
+
+    source = read(lambda: divided(task, surface(task, task.surfaces, "surface", "file", names=task.names)))
+    zones = [read(lambda: surface(task, [region.file], "regions", i, "file")) if region.file else source
         for i, region in enumerate(task.regions)]
-    mesher = simple.CartesianMesher(Input=source, RefinementRegions=regions)
-    if task.size_field:
-        mesher.SizeField = opened(task.size_field,
-            lambda what: task.error(("refinement", "size_field"), what), kinds=())
-    set_properties(mesher, task)
+    size_field = task.size_field and read(lambda: opened(task.size_field,
+        lambda what: task.error(("refinement", "size_field"), what), kinds=()))
+    if not errors:
+        if task.regions:
+            source.UpdatePipeline()  # whose size is that of zones by default
+        mesher = simple.CartesianMesher(Input=source, RefinementRegions=[
+            simple.RefinementRegion(Input=zone, **({"Shape": "Input"} if region.file else {}) | region.properties)
+            for zone, region in zip(zones, task.regions)])
+        if size_field:
+            mesher.SizeField = size_field
+        errors = set_properties(mesher, task) + missing_inlet(mesher, task)
+    if errors:
+        raise TaskError(*(text for error in errors for text in error.args))
     # A VTK file holds the whole mesh: then the first rank must have it.
     if any(file.suffix in writing.WRITERS[port] for _, port, file in files_of(task)):
         mesher.InPieces = 0
@@ -368,7 +401,8 @@ def main(arguments):
         task = read_task(options.task)
         return check(task) if options.check else run(task, options.quiet)
     except TaskError as error:
-        print(f"error: {error}", file=sys.stderr)
+        for text in error.args:
+            print(f"error: {text}", file=sys.stderr)
         return REFUSED
 
 

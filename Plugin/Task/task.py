@@ -3,6 +3,7 @@
     [surface]
     file = "header.stl"        # any that ParaView opens; or a list: each a boundary, called as its file
     split = "Flat Caps"        # into boundaries; or a table of Split Surface's properties, or a list of them, one after the other
+    names = ["header"]         # or by these names, one for each file
 
     [grid]                     # these tables have the groups of Cartesian Mesher's panel, and its
     cell_size = 4.0            # properties: see `cartesian-mesher --template`
@@ -48,7 +49,7 @@ from parameters import BadValue, collections, parameters, shown
 
 MESHER, REGION, SPLIT, CASE_WRITER = "CartesianMesher", "RefinementRegion", "SplitSurface", "PolyMeshWriter"
 REPORT = ".html"
-FILE_KEYS = {"surface": {"file", "split"}, "refinement": {"size_field"}}  # beside the properties, by table
+FILE_KEYS = {"surface": {"file", "names", "split"}, "refinement": {"size_field"}}  # beside the properties, by table
 # Of Split Surface, not in tasks: what belongs to a selection in a view, and what the mesher has too.
 NOT_OF_SPLIT = "SelectionName", "SelectWholePatches", "NumberOfThreads"
 
@@ -59,10 +60,10 @@ def printable(text):
 
 
 class TaskError(Exception):
-    """What is wrong with a task file, and in which line."""
+    """All that is wrong with a task file, each with its line."""
 
-    def __init__(self, text):
-        super().__init__(printable(text))
+    def __init__(self, *texts):
+        super().__init__(*map(printable, texts))
 
 
 @dataclasses.dataclass
@@ -75,6 +76,7 @@ class Region:
 class Task:
     path: pathlib.Path
     surfaces: list
+    names: list  # of the surfaces' blocks; or empty: a single file is no block
     splits: list  # properties of Split Surface, one after the other
     properties: dict  # of Cartesian Mesher, by their names in Python
     regions: list
@@ -129,6 +131,7 @@ def failing_line(text, failure):
 class _Reader:
     def __init__(self, path):
         self.path = path
+        self.errors = []
         try:
             text = path.read_text(encoding="utf-8")
         except (OSError, UnicodeDecodeError) as error:
@@ -155,17 +158,24 @@ class _Reader:
         key = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in where)
         return TaskError(f"{self.path}{f':{line}' if line else ''}: {key.lstrip('.')}: {what}")
 
-    def fail(self, where, what):
-        raise self.error(where, what)
+    def note(self, where, what):
+        """Keeps an error, so that all are found at once."""
+        self.errors += self.error(where, what).args
+
+    def end(self):
+        """When all has been read: throws what was kept."""
+        if self.errors:
+            raise TaskError(*self.errors)
 
     def table(self, content, where, known):
-        """The table itself, when all its keys are known."""
+        """The table's known keys."""
         if not isinstance(content, dict):
-            self.fail(where, "must be a table")
+            self.note(where, "must be a table")
+            return {}
         for key in content:
             if key not in known:
-                self.fail(where + (key,), f"is not a known key; choose from {', '.join(sorted(known))}")
-        return content
+                self.note(where + (key,), f"is not a known key; choose from {', '.join(sorted(known))}")
+        return {key: value for key, value in content.items() if key in known}
 
     def values(self, content, where, of):
         """{name in Python: value} of the parameters `of` that the table has."""
@@ -175,7 +185,7 @@ class _Reader:
                 try:
                     found[parameter.name] = parameter.check(content[parameter.key])
                 except BadValue as error:
-                    self.fail(where + (parameter.key,), error)
+                    self.note(where + (parameter.key,), error)
         return found
 
     def collection(self, content, of, within=()):
@@ -184,10 +194,10 @@ class _Reader:
         rows = []
         for i, table in enumerate(self.tables(content, *within, of.key)):
             where = (*within, of.key, i)
-            self.table(table, where, {column.key for column in of.columns})
+            table = self.table(table, where, {column.key for column in of.columns})
             if first.key not in table:
-                self.fail(where, f"needs the key {first.key}")
-            rows.append({column.name: column.default for column in others}
+                self.note(where, f"needs the key {first.key}")
+            rows.append({column.name: column.default for column in (first, *others)}
                 | self.values(table, where, of.columns))
         values = {column.name: [row[column.name] for row in rows] for column in of.columns} if rows else {}
         return {column.name: sum(values[column.name], []) if column.count > 1 else values[column.name]
@@ -195,10 +205,11 @@ class _Reader:
 
     def tables(self, content, *where):
         """The content itself, if it is written [[key]]."""
-        if not isinstance(content, list):
-            name = ".".join(part for part in where if isinstance(part, str))
-            self.fail(where, f"must be written [[{name}]], once for each")
-        return content
+        if isinstance(content, list):
+            return content
+        name = ".".join(part for part in where if isinstance(part, str))
+        self.note(where, f"must be written [[{name}]], once for each")
+        return []
 
     def splits(self, content):
         """Properties of Split Surface, for each time that it divides the surface."""
@@ -209,7 +220,7 @@ class _Reader:
         for i, table in enumerate(content if several else [content]):
             here = (*where, i) if several else where
             table = {"split_by": table} if isinstance(table, str) else table
-            self.table(table, here, {parameter.key for parameter in of} | {row.key for row in rows})
+            table = self.table(table, here, {parameter.key for parameter in of} | {row.key for row in rows})
             properties = self.values(table, here, of)
             for row in rows:
                 properties |= self.collection(table.get(row.key, []), row, here)
@@ -221,37 +232,49 @@ class _Reader:
         names = [content] if isinstance(content, str) else content
         if not isinstance(names, list) or not names and exist \
                 or not all(isinstance(name, str) and name for name in names):
-            self.fail(where, "must be the name of a file, or a list of names")
-        return [self.file(name, where, exist) for name in names]
+            self.note(where, "must be the name of a file, or a list of names")
+            return []
+        return [file for name in names if (file := self.file(name, where, exist))]
 
     def file(self, name, where, exist):
         if "\0" in name:
-            self.fail(where, f"{shown(name)} contains the character NUL, which file names cannot have")
+            self.note(where, f"{shown(name)} contains the character NUL, which file names cannot have")
+            return None
         file = self.path.parent / name
         try:
             with contextlib.suppress(FileNotFoundError, NotADirectoryError):
                 file.stat()  # other errors, which is_file() hides from Python 3.14 on
             if exist and not file.is_file():
-                self.fail(where, f"there is no file {file}")
-            if not exist and file.is_dir():
-                self.fail(where, f"{file} is a folder")
-            if exist:
+                self.note(where, f"there is no file {file}")
+            elif not exist and file.is_dir():
+                self.note(where, f"{file} is a folder")
+            elif exist:
                 with file.open("rb") as stream:
                     stream.read(1)
         except OSError as error:
-            self.fail(where, f"{shown(name)} cannot be {'read' if exist else 'written'}: {error.strerror}")
+            self.note(where, f"{shown(name)} cannot be {'read' if exist else 'written'}: {error.strerror}")
         return file
 
     def region(self, content, where, of):
         known = {parameter.key for parameter in of}
-        self.table(content, where, known | {"file"})
+        content = self.table(content, where, known | {"file"})
         properties = self.values(content, where, of)
         if "file" not in content:
             return Region(None, properties)
         for key in content:
             if key not in ("file", "depth"):
-                self.fail(where + (key,), "cannot be combined with file: give a file or a shape")
-        return Region(self.files(content["file"], where + ("file",), exist=True)[0], properties)
+                self.note(where + (key,), "cannot be combined with file: give a file or a shape")
+        return Region(next(iter(self.files(content["file"], where + ("file",), exist=True)), None), properties)
+
+
+def block_names(reader, surface, files):
+    """What the blocks of several files are called."""
+    names = surface.get("names", [file.stem for file in files] if len(files) > 1 else [])
+    if not isinstance(names, list) or not all(isinstance(name, str) and name for name in names):
+        reader.note(("surface", "names"), "must be a list of names")
+    elif "names" in surface and len(names) != len(files):
+        reader.note(("surface", "names"), f"must have a name for each file, {len(files)} in all")
+    return names
 
 
 def targets_of(file):
@@ -262,20 +285,20 @@ def targets_of(file):
 def outputs(reader, content, inputs):
     """Files to write, by kind, none twice and none that is read; and the number of pieces."""
     kinds = ("mesh", "boundary", "defects", "statistics", "report")
-    reader.table(content, ("output",), {*kinds, "pieces"})
+    content = reader.table(content, ("output",), {*kinds, "pieces"})
     pieces = content.get("pieces", 1)
     if type(pieces) is not int or pieces < 1:
-        reader.fail(("output", "pieces"), f"{shown(pieces)} is not a whole number above 0")
+        reader.note(("output", "pieces"), f"{shown(pieces)} is not a whole number above 0")
     files = {kind: reader.files(content.get(kind, []), ("output", kind), exist=False) for kind in kinds}
     for file in files["report"]:
         if file.suffix != REPORT:
-            reader.fail(("output", "report"), f"{file} must end in {REPORT}")
+            reader.note(("output", "report"), f"{file} must end in {REPORT}")
     taken = {file.resolve(): "is an input of the task" for file in inputs}
     for kind in kinds:
         for file in files[kind]:
             for target in targets_of(file):
                 if target.resolve() in taken:
-                    reader.fail(("output", kind), f"{target} {taken[target.resolve()]}: choose another name")
+                    reader.note(("output", kind), f"{target} {taken[target.resolve()]}: choose another name")
                 taken[target.resolve()] = "is already an output"
     return files | {"pieces": pieces}
 
@@ -300,27 +323,32 @@ def read_task(path):
     content = reader.table(reader.content, (), {*tables, "surface", "regions", "output", "case",
         *(of.key for of in rows)})
 
-    properties = {}
+    properties, known = {}, {}
     for name, of in tables.items():
-        known = {parameter.key for parameter in of} | FILE_KEYS.get(name, set())
-        table = reader.table(content.get(name, {}), (name,), known)
-        properties |= reader.values(table, (name,), of)
+        keys = {parameter.key for parameter in of} | FILE_KEYS.get(name, set())
+        known[name] = reader.table(content.get(name, {}), (name,), keys)
+        properties |= reader.values(known[name], (name,), of)
     of_case = case_parameters()
     table = reader.table(content.get("case", {}), ("case",), {parameter.key for parameter in of_case})
     case = reader.values(table, ("case",), of_case)
     for of in rows:
         properties |= reader.collection(content.get(of.key, []), of)
-    if "file" not in content.get("surface", {}):
-        reader.fail(("surface",), "needs the key file: a surface to mesh")
-    surfaces = reader.files(content["surface"]["file"], ("surface", "file"), exist=True)
-    splits = reader.splits(content["surface"].get("split", []))
+    surfaces = []
+    if "file" in known["surface"]:
+        surfaces = reader.files(known["surface"]["file"], ("surface", "file"), exist=True)
+    else:
+        reader.note(("surface",), "needs the key file: a surface to mesh")
+    splits = reader.splits(known["surface"].get("split", []))
+    names = block_names(reader, known["surface"], surfaces)
     regions = [reader.region(table, ("regions", i), region)
         for i, table in enumerate(reader.tables(content.get("regions", []), "regions"))]
-    size_field = content.get("refinement", {}).get("size_field")
-    if size_field is not None:
-        if not isinstance(size_field, str):
-            reader.fail(("refinement", "size_field"), "must be the name of a file")
+    size_field = known["refinement"].get("size_field")
+    if size_field is not None and not isinstance(size_field, str):
+        reader.note(("refinement", "size_field"), "must be the name of a file")
+    elif size_field is not None:
         size_field = reader.file(size_field, ("refinement", "size_field"), True)
-    inputs = [reader.path, *surfaces, *([size_field] if size_field else []), *(region.file for region in regions if region.file)]
-    return Task(path=reader.path, surfaces=surfaces, splits=splits, properties=properties, regions=regions, size_field=size_field,
-        case=case, reader=reader, **outputs(reader, content.get("output", {}), inputs))
+    inputs = [reader.path, *surfaces, size_field, *(region.file for region in regions)]
+    written = outputs(reader, content.get("output", {}), [file for file in inputs if isinstance(file, pathlib.Path)])
+    reader.end()
+    return Task(path=reader.path, surfaces=surfaces, names=names, splits=splits, properties=properties, regions=regions, size_field=size_field,
+        case=case, reader=reader, **written)

@@ -14,7 +14,10 @@ HEAD = """\
 SURFACE_FILE = """
 # A closed surface, in any format that ParaView opens; or a list of files: each is a boundary with
 # the name of its file.
-file = "surface.stl\""""
+file = "surface.stl\"
+
+# Of a list of files: other names for their boundaries, or regions.
+# names = ["surface"]"""
 
 SPLIT_HEAD = """
 # Divides the surface into boundaries, as Split Surface does; or [[surface.split]], once for each time.

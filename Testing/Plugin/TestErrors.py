@@ -130,8 +130,8 @@ for bad in -0.1, 1, math.nan:
 for name, flawed, parts in (
     ("open", polydata(points, triangles[:-1]), ["3 open edges", "of cell 6", "(0, -1, 0)",
         "1 hole is wider than a box", "a lid", "hole 0.81"]),
-    ("doubled", merged(clean, clean), ["8 duplicate triangles are left out"]),
-    ("overlapping", merged(clean, octahedron(1, (0.3, 0.4, 0.1))), ["pairs of triangles intersect"]),
+    ("doubled", merged(clean, clean), ["8 duplicate triangles are left out, such as cell 14 at (-0.333333, -0.333333, -0.333333)"]),
+    ("overlapping", merged(clean, octahedron(1, (0.3, 0.4, 0.1))), ["pairs of triangles intersect.\n  cells ", " at ("]),
 ):
     mesh = partial(producer(flawed), *parts, CellSize=0.2)
     assert 0.5 < mesh.volume < 4 / 3 * 2, f"{name}: volume {mesh.volume}"

@@ -101,9 +101,47 @@ other = simple.GroupDatasets(Input=[box(1), box(2)], BlockNames=["water", "solid
 shown(simple.CartesianMesher(Input=other, RegionsFrom="Blocks", CellSize=0.3))
 assert names(display.LookupTable) == {"1": "water", "2": "solid"}
 
-# So many faces that edges would hide them have none.
-plate = simple.Triangulate(Input=simple.Box(ZLength=0.02))
-assert shown(simple.CartesianMesher(Input=plate, CellSize=0.005)).Representation == "Surface"
+# Interfaces too, also if there is only one.
+display = shown(mesher, 3)
+assert list(display.ColorArrayName) == ["CELLS", "InterfaceName"] and display.Representation == "Surface With Edges"
+assert names(display.LookupTable) == {"gas_to_solid": "gas_to_solid"}
+assert shown(one, 3).ColorArrayName[1] == ""
+
+# So many faces that edges would hide them have none, from the beginning or later; until somebody else chooses.
+plate = simple.CartesianMesher(Input=simple.Triangulate(Input=simple.Box(ZLength=0.02)), CellSize=0.0055)
+quality = simple.FiniteVolumeQuality(Input=plate)
+displays = shown(plate), shown(quality, 0)
+for size, representation in (0.0055, "Surface"), (0.02, "Surface With Edges"), (0.0055, "Surface"):
+    plate.CellSize = size
+    quality.UpdatePipeline()
+    assert [display.Representation for display in displays] == [representation] * 2, size
+for display, chosen in zip(displays, ("Wireframe", "Surface With Edges")):
+    display.Representation = chosen
+for size in 0.02, 0.0055:
+    plate.CellSize = size
+    quality.UpdatePipeline()
+    assert [display.Representation for display in displays] == ["Wireframe", "Surface With Edges"]
+
+# Scripts hide what they want (the window hides the boundary behind a clip: TestViews).
+boundary, mesh = shown(plate), shown(plate, 0)
+assert mesh.ColorArrayName[1] == "" and boundary.Visibility == 1
+cells = shown(simple.Clip(Input=simple.OutputPort(plate, 0)), 0)
+assert boundary.Visibility == 1 and mesh.Visibility == 1
+assert cells.ColorArrayName[1] == "", "nothing is refined"
+# Where cells differ, they are coloured by their level, one number.
+refined = simple.CartesianMesher(Input=producer(octahedron()), CellSize=0.3, RefinementDepth=1)
+display = shown(simple.Clip(Input=simple.OutputPort(refined, 0)), 0)
+assert list(display.ColorArrayName) == ["CELLS", "RefinementLevel"], display.ColorArrayName
+assert shown(refined, 0).ColorArrayName[1] == ""
+
+# The menu of colours lists the arrays of cells and points, and no statistics; scripts read these as ever.
+fields = output(plate).GetFieldData()
+assert fields.GetArray("Cells").GetValue(0) == output(plate).GetNumberOfCells() and fields.GetNumberOfArrays() > 40
+for port, display in (0, mesh), (1, boundary), (0, cells), (0, shown(quality, 0)):
+    arrays = display.SMProxy.GetProperty("ColorArrayName").GetDomain("array_list")
+    offered = {arrays.GetString(i) for i in range(arrays.GetNumberOfStrings())}
+    assert not offered & {fields.GetArrayName(i) for i in range(fields.GetNumberOfArrays())}, offered
+    assert "BoundaryId" in offered if display == boundary else "RefinementLevel" in offered, offered
 
 # A state is as it was saved.
 display = simple.GetDisplayProperties(simple.OutputPort(exhaust, 1), view)

@@ -147,13 +147,13 @@ expect_refusal(closed, root / "duct", "no boundary is an inlet")
 assert "inlet" in (root / "duct/constant/polyMesh/boundary").read_text()
 assert not list((root / "duct/constant").glob("polyMesh.*"))
 
-# A task says so at once, by line and key; or when it has the boundaries, and leaves no mesh.
+# A task says so at once, by line and key, and leaves no mesh.
 simple.SaveData(str(root / "closed.stl"), proxy=simple.Triangulate(Input=simple.Box()))
 FILES = '[surface]\nfile = "closed.stl"\n[output]\nmesh = "refused/case.foam"\n[case]\nsolver_setup = "Incompressible"\n'
 for text, *words in (("speed = -1", ":7: case.speed", "out of range"),
                      ("viscosity = -0.1", ":7: case.viscosity", "out of range"),
                      ("scale = 0", ":7: case.scale", "out of range: more than 0"),
-                     ("", ":4: output.mesh", "no boundary is an inlet")):
+                     ("", ":6: case.solver_setup", "no boundary is an inlet")):
     (root / "refused.toml").write_text(FILES + text + "\n")
     done = subprocess.run([PROGRAM, str(root / "refused.toml")], capture_output=True, text=True)
     assert done.returncode == 2 and all(word in done.stderr for word in words), done

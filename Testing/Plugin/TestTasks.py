@@ -236,6 +236,8 @@ for row, ends in ("", [1, 1]), ('type = "wall"', [1, 1]), ("depth = 0", [1, 1]),
 # A mesh with warnings.
 said = here('[surface]\nfile = "roof.stl"\n[grid]\ncell_size = 0.1\n[output]\nstatistics = "s.json"\n', code=WARNINGS)
 assert "warning: The surface has 4 open edges" in said, said
+said = here('[surface]\nfile = "roof.stl"\n[grid]\ncell_size = 0.1\n', "--check", code=WARNINGS)
+assert "warning: The surface has 4 open edges" in said, said
 statistics = json.loads((folder / "s.json").read_text())
 assert statistics["error_code"] == 0 and "open edges" in statistics["warnings"][0]
 # In pieces too, where it is said while files are open.
@@ -249,6 +251,28 @@ assert "warning: The surface extends beyond Meshlines X" in said, said
 (folder / "table.csv").write_text("a,b\n1,2\n")
 for name in "full.vtu", "full.vtp":
     (folder / name).symlink_to("/dev/full")
+
+# All that is wrong is told at once, in the file and, where that is well, in what it names.
+for text, *parts in (
+    (FILES + "[grid]\ncell_size = -1\nsize = 1\n[layers]\nlayers = 'many'\n[[boundaries]]\ndepth = 1\n[[regions]]\nshape = 'Cone'\n"
+        "[case]\nspeed = -1\n[output]\npieces = 0\nmesh = 'roof.stl'\n[mesh]\n", ":4: grid.cell_size", ":5: grid.size", ":7: layers.layers",
+        ":8: boundaries[0]: needs the key name", ":11: regions[0].shape", ":13: case.speed", ":15: output.pieces", ":16: output.mesh",
+        ":17: mesh: is not a known key"),
+    (FILES + "[refinement]\nboundary_refinement = [\n" + "".join(f'["{name}", 1, 1, 0],\n' for name in ("wall", "roof", "lid")) + "]\n"
+        "[case]\nsolver_setup = 'Incompressible'\n[output]\nmesh = 'm.foam'\n", "no boundary 'wall', only roof, floor", "no boundary 'lid'",
+        ":10: case.solver_setup: no boundary is an inlet, as Incompressible needs one, only roof, floor: give one a name"),
+    ('[surface]\nfile = "noise.vtp"\n[[regions]]\nfile = "table.csv"\ndepth = 1\n', ":2: surface.file: ParaView cannot read", ":4: regions[0].file"),
+):
+    for arguments in ((), ("--check",)):
+        said = here(text, *arguments)
+        assert said.count("error: ") == len(parts) and all(part in said for part in parts), said
+# What names an inlet: a solid, a new name, a side of the domain; and only a case needs one.
+SOLVER = FILES + "[case]\nsolver_setup = 'Incompressible'\n"
+for more in ("[[boundaries]]\nname = 'roof'\nmerged_name = 'inlet_top'\n[output]\nmesh = 'm.foam'\n",
+        "[domain]\ndomain = 'Outside'\n[output]\nmesh = 'm.foam'\n", "[output]\nmesh = 'm.vtu'\n"):
+    assert "about" in run(SOLVER + more, "--check")
+# Choices in any case.
+here(FILES + "[patches]\npatch_method = 'exact fit'\n[[refinement_shapes]]\nshape = 'Box'\n[[regions]]\nshape = 'sphere'\n", "--check", code=SUCCESS)
 
 # Refusals name the line and the key.
 for text, *parts in (

@@ -7,7 +7,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 from polyhedra import face_streams
 
-CELL_ARRAYS = "GlobalBox", "Level", "Region", "VolumeFraction", "CellId"
+CELL_ARRAYS = "GlobalBox", "Level", "RefinementLevel", "Region", "VolumeFraction", "CellId"
 
 
 def load(path):

@@ -15,7 +15,7 @@ REPOSITORY = pathlib.Path(sys.argv[1])
 PROXIES = {proxy.get("name") for group in ElementTree.fromstring(re.sub("@[A-Za-z]+@", "",
     (REPOSITORY / "Plugin" / "CartesianMesher.xml.in").read_text())) for proxy in group.iter("SourceProxy") if group.get("name") != "internal_filters"}
 IN_CHARTS = {"QualityHistogram"}
-NAMED = "BoundaryName", "DefectName", "Region"  # arrays whose values have names
+NAMED = "BoundaryName", "DefectName", "Region", "InterfaceName"  # arrays whose values have names
 
 # A cube of two named solids, with a triangle missing and another there twice; two regions; and flow around a body whose
 # boundaries are those of its surface and the domain's sides.

@@ -5,9 +5,8 @@ what a user needs."""
 
 import pathlib
 import sys
-from xml.sax.saxutils import quoteattr
 
-from events import PROPERTIES, apply, choose, event, macro, meshing_menu, number, open_file, script
+from events import PROPERTIES, apply, check, choose, event, macro, meshing_menu, number, open_file, script
 from paraview import servermanager, simple  # noqa: F401: connects
 from window import Screen
 
@@ -54,10 +53,6 @@ mesher = simple.FindSource("CartesianMesher1")
 mesher.RefinementShapes, mesher.RefinementPositions, mesher.RefinementLengths = ["cylinderX"], [0, 0, 0], [9, 1, 1]
 mesher.RefinementShapeDepths = [1]
 """
-
-
-def check(object, property, value):
-    return f'<pqcheck object="{object}" property="{property}" arguments={quoteattr(value)}/>'
 
 
 expected = servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy("filters", "CartesianMesher").GetProperty("ExpectedBoxes")

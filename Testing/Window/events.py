@@ -13,6 +13,10 @@ def event(object, command, arguments=""):
         f"arguments={quoteattr(str(arguments))}/>"
 
 
+def check(object, property, value):
+    return f'<pqcheck object="{object}" property="{property}" arguments={quoteattr(value)}/>'
+
+
 def script(*events):
     return "<?xml version='1.0'?>\n<pqevents>\n" + "\n".join(events) + "\n</pqevents>\n"
 

@@ -114,6 +114,23 @@ std::string describeRefused(const PreparedSurface& prepared)
   return text + (refused.size() > MostPlaces ? ", ..." : ".");
 }
 
+// The first of some triangles that are left out, as text to append.
+std::string firstOf(const std::vector<DroppedTriangle>& triangles, const Surface& surface,
+  const std::vector<Id>& cells)
+{
+  const DroppedTriangle& first = triangles.front();
+  Vector middle{ 0, 0, 0 };
+  for (const std::uint32_t v : first.vertices)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      middle[axis] += double(surface.vertices[v][axis]) / 3;
+    }
+  }
+  return (triangles.size() == 1 ? ": cell " : ", such as cell ") +
+    std::to_string(cells[surface.given[first.triangle]]) + " at " + placeOf(surface, middle) + ".";
+}
+
 // Of walls, on either side, or of the triangles of one region.
 std::set<std::int32_t> boundariesOf(const Surface& surface)
 {
@@ -295,7 +312,7 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   {
     text += lineBreak(text) +
       counted(repair.duplicates.size(), "duplicate triangle is", "duplicate triangles are") +
-      " left out.";
+      " left out" + firstOf(repair.duplicates, prepared.inspected(), cells);
   }
   if (const std::string vanished = describeVanished(prepared, names); !vanished.empty())
   {
@@ -304,8 +321,9 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   if (!repair.loose.empty())
   {
     text += lineBreak(text) +
-      counted(repair.loose.size(), "triangle shares no edge with others and is left out.",
-        "triangles share no edge with others and are left out.");
+      counted(repair.loose.size(), "triangle shares no edge with others and is left out",
+        "triangles share no edge with others and are left out") +
+      firstOf(repair.loose, prepared.inspected(), cells);
   }
   if (const std::string refused = describeRefused(prepared); !refused.empty())
   {
@@ -313,9 +331,13 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   }
   if (const std::size_t closed = repair.holes.size() - repair.leaks())
   {
+    const auto hole = std::find_if(
+      repair.holes.begin(), repair.holes.end(), [](const Hole& one) { return !one.leak; });
     text += lineBreak(text) +
       counted(
-        closed, "hole narrower than a box was closed.", "holes narrower than a box were closed.");
+        closed, "hole narrower than a box was closed", "holes narrower than a box were closed") +
+      (closed == 1 ? ": at " : ", the first at ") + positionOf(prepared.inspected(), hole->rim[0]) +
+      ".";
   }
   return text + describeLeaks(prepared);
 }

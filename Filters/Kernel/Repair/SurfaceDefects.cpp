@@ -15,7 +15,8 @@ namespace
 {
 
 // Overlapped triangles in a message.
-constexpr std::size_t MostNamed = 20;
+constexpr std::size_t MostNamed = 20; // overlapped triangles
+constexpr std::size_t MostPlaces = 5; // of other kinds
 
 constexpr std::size_t TrianglesAChunk = 2048;
 
@@ -350,27 +351,37 @@ private:
   std::array<std::vector<Vector>, DefectKinds> points_;
 };
 
-// The first of them, by the user's numbers, with their middles.
-std::string listOverlapped(const SurfaceDefects& defects, const std::vector<long long>& cells)
+std::string nameOf(const Defect& defect, const std::vector<long long>& cells)
 {
+  const bool isPair = defect.kind == DefectKind::Intersection;
+  return isPair ? "cells " + std::to_string(cells[defect.triangle]) + " and " +
+      std::to_string(cells[defect.other])
+                : "cell " + std::to_string(cells[defect.triangle]);
+}
+
+// The first of a kind, by the user's numbers, with their middles.
+std::string listFirst(
+  const SurfaceDefects& defects, DefectKind kind, const std::vector<long long>& cells)
+{
+  const std::size_t most = kind == DefectKind::OverlappedTriangle ? MostNamed : MostPlaces;
   std::string text;
   std::size_t count = 0;
   std::size_t point = 0;
   for (const Defect& defect : defects.defects)
   {
-    if (defect.kind == DefectKind::OverlappedTriangle && count++ < MostNamed)
+    if (defect.kind == kind && count++ < most)
     {
       Vector middle{};
       for (std::size_t i = point; i < point + defect.size; ++i)
       {
         middle = plus(middle, scaled(defects.points[i], 1. / defect.size));
       }
-      text += "\n  cell " + std::to_string(cells[defect.triangle]) + " at (" + number(middle[0]) +
-        ", " + number(middle[1]) + ", " + number(middle[2]) + ")";
+      text += "\n  " + nameOf(defect, cells) + " at (" + number(middle[0]) + ", " +
+        number(middle[1]) + ", " + number(middle[2]) + ")";
     }
     point += defect.size;
   }
-  return text + (count > MostNamed ? "\n  ..." : "");
+  return text + (count > most ? "\n  ..." : "");
 }
 
 }
@@ -414,7 +425,7 @@ std::string describe(const SurfaceDefects& defects, const std::vector<long long>
     if (const std::size_t count = defects.counts[static_cast<std::size_t>(kind)])
     {
       text += (text.empty() ? "" : "\n") + std::to_string(count) + words;
-      text += kind == DefectKind::OverlappedTriangle ? listOverlapped(defects, cells) : "";
+      text += listFirst(defects, kind, cells);
     }
   }
   text += text.empty() ? "" : "\nRepair the surface if the mesh shows flaws there.";

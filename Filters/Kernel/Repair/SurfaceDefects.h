@@ -70,8 +70,8 @@ SurfaceDefects findDefects(const Surface& surface, std::size_t given, const Surf
 SurfaceDefects listContacts(const std::vector<ClosedContact>& contacts, const Lattice& lattice);
 
 // A message about folds, overlaps and intersections, which may degrade a mesh and which describeFlaws
-// (Messages.h) does not mention, with the first overlapped triangles; empty if there are none. `cells`: the
-// user's number of each triangle.
+// (Messages.h) does not mention, with the first places of each; empty if there are none. `cells`: the user's number
+// of each triangle.
 std::string describe(const SurfaceDefects& defects, const std::vector<long long>& cells);
 
 }

@@ -157,7 +157,11 @@ TEST(SurfaceDefects, AFoldAndAnOverlap)
   const std::string text = describe(overlapping, numbers);
   EXPECT_NE(text.find(" triangles overlap others in the same plane.\n  cell 1"), std::string::npos)
     << text;
-  const auto named = static_cast<std::size_t>(std::count(text.begin(), text.end(), '(')); // places
+  std::size_t named = 0;
+  for (std::size_t i = 0; (i = text.find("\n  cell ", i)) != std::string::npos; ++i)
+  {
+    ++named;
+  }
   EXPECT_EQ(
     named, std::min<std::size_t>(20, countsOf(overlapping)[DefectKind::OverlappedTriangle]));
 }
@@ -182,6 +186,19 @@ TEST(SurfaceDefects, Intersections)
   }
   EXPECT_NEAR(length, 2 * 4 * 0.5, 1e-6); // around the bar, twice
   EXPECT_EQ(defects.components, 2U);
+
+  // The message names the first, in the middle of the line that the two share.
+  std::vector<long long> numbers(24);
+  std::iota(numbers.begin(), numbers.end(), 1000);
+  const Defect& first = defects.defects.front();
+  const Vector& p = defects.points[0];
+  const Vector& q = defects.points[1];
+  const std::string place = " pairs of triangles intersect.\n  cells " +
+    std::to_string(1000 + first.triangle) + " and " + std::to_string(1000 + first.other) + " at (" +
+    number((p[0] + q[0]) / 2) + ", ";
+  const std::string text = describe(defects, numbers);
+  EXPECT_NE(text.find(place), std::string::npos) << text << " has no " << place;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '('), 5);
 }
 
 TEST(SurfaceDefects, SmallComponents)
