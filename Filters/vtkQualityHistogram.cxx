@@ -117,6 +117,18 @@ void FillOutline(
   AddColumn<vtkDoubleArray>(table, "Cells", cells);
 }
 
+void FillTables(const cartesian::Histogram& histogram, const cartesian::MeshValues& of,
+  vtkTable* outline, vtkTable* bins)
+{
+  FillOutline(histogram, of, outline);
+  FillBins(histogram, bins);
+  if (!of.limit.empty())
+  {
+    cartesian::setField(outline, "Limit", { of.limitAt });
+    cartesian::setField(bins, "Limit", { of.limitAt });
+  }
+}
+
 }
 
 vtkQualityHistogram::vtkQualityHistogram()
@@ -159,11 +171,11 @@ int vtkQualityHistogram::RequestData(
   const double known = Reduced<double>({ values ? 1.0 : 0.0 }, vtkCommunicator::MAX_OP)[0];
   if (this->ErrorCode == 0 && known == 0)
   {
+    const bool isShare = this->Measure == cartesian::VolumeFraction;
     this->ErrorCode = MissingArray;
-    vtkErrorMacro("The mesh has no array "
-      << (this->Measure == cartesian::VolumeFraction ? "VolumeFraction" : "Layer")
-      << ": connect the Mesh of Cartesian Mesher"
-      << (this->Measure == cartesian::VolumeFraction ? "." : ", made with Layers."));
+    vtkErrorMacro("The mesh has no array " << (isShare ? "VolumeFraction" : "Layer")
+                                           << ": connect the Mesh of Cartesian Mesher"
+                                           << (isShare ? "." : ", made with Layers."));
     return 1;
   }
   const cartesian::MeshValues mine = values.value_or(cartesian::MeshValues{});
@@ -172,12 +184,7 @@ int vtkQualityHistogram::RequestData(
   vtkMultiProcessController* processes = SeveralProcesses();
   if (this->ErrorCode == 0 && (!processes || processes->GetLocalProcessId() == 0))
   {
-    FillOutline(histogram, mine, vtkTable::GetData(output, 0));
-    FillBins(histogram, vtkTable::GetData(output, 1));
-    for (int port = 0; port < 2 && !mine.limit.empty(); ++port)
-    {
-      cartesian::setField(vtkTable::GetData(output, port), "Limit", { mine.limitAt });
-    }
+    FillTables(histogram, mine, vtkTable::GetData(output, 0), vtkTable::GetData(output, 1));
   }
   return 1;
 }
