@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SectionOfGrid.h"
+
+#include "GridFaces.h"
+
+#include "Base/Sorting.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr std::size_t ItemsAChunk = 4096;
+
+}
+
+SectionOfGrid::SectionOfGrid(vtkUnstructuredGrid* grid, const Vector& origin, const Vector& normal)
+  : grid_(grid)
+  , origin_(origin)
+  , normal_(normal)
+  , points_(coordinatesOf(grid, copy_))
+{
+}
+
+void SectionOfGrid::add(double offset, Execution& execution)
+{
+  std::vector<double> heights(static_cast<std::size_t>(grid_->GetNumberOfPoints()));
+  execution.forEach(heights.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const double* p = points_ + 3 * i;
+      heights[i] = dot(normal_, minus(Vector{ p[0], p[1], p[2] }, origin_)) - offset;
+    }
+  });
+  Part part;
+  part.offset = offset;
+  part.cut = cutCells(heights, execution);
+  CellFaces faces = facesOfCells(grid_, part.cut, execution);
+  turnOutward(faces, points_, execution);
+  part.section = planeSection(faces, points_, heights.data(), normal_, execution);
+  parts_.push_back(std::move(part));
+}
+
+// Those with points on both sides.
+std::vector<vtkIdType> SectionOfGrid::cutCells(
+  const std::vector<double>& heights, Execution& execution) const
+{
+  const auto count = static_cast<std::size_t>(grid_->GetNumberOfCells());
+  std::vector<std::vector<vtkIdType>> found(chunks(count, ItemsAChunk));
+  execution.forEach(count, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    auto cells = vtk::TakeSmartPointer(grid_->GetCells()->NewIterator());
+    for (std::size_t cell = begin; cell < end; ++cell)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* corners = nullptr;
+      cells->GetCellAtId(static_cast<vtkIdType>(cell), size, corners);
+      vtkIdType above = 0;
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        above += heights[static_cast<std::size_t>(corners[i])] >= 0 ? 1 : 0;
+      }
+      if (above > 0 && above < size)
+      {
+        found[begin / ItemsAChunk].push_back(static_cast<vtkIdType>(cell));
+      }
+    }
+  });
+  return concatenated(found);
+}
+
+void SectionOfGrid::write(vtkPolyData* output) const
+{
+  writePoints(output);
+  writePolygons(output);
+  output->GetFieldData()->PassData(grid_->GetFieldData());
+}
+
+void SectionOfGrid::writePoints(vtkPolyData* output) const
+{
+  vtkIdType count = 0;
+  for (const Part& part : parts_)
+  {
+    count += static_cast<vtkIdType>(part.section.places.size());
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  vtkPointData* from = grid_->GetPointData();
+  vtkPointData* to = output->GetPointData();
+  to->InterpolateAllocate(from, count);
+  vtkIdType id = 0;
+  for (const Part& part : parts_)
+  {
+    for (const PlaneSection::Place& place : part.section.places)
+    {
+      const double* p = points_ + 3 * std::size_t(place.from);
+      const double* q = points_ + 3 * std::size_t(place.to);
+      std::array<double, 3> at;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        at[axis] = p[axis] + place.part * (q[axis] - p[axis]);
+      }
+      points->SetPoint(id, at.data());
+      to->InterpolateEdge(from, id++, place.from, place.to, place.part);
+    }
+  }
+  output->SetPoints(points);
+}
+
+void SectionOfGrid::writePolygons(vtkPolyData* output) const
+{
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkIdTypeArray> original;
+  original->SetName("OriginalCellId");
+  vtkNew<vtkDoubleArray> offsets;
+  offsets->SetName("PlaneOffset");
+  vtkIdType firstPoint = 0;
+  for (const Part& part : parts_)
+  {
+    const PlaneSection& section = part.section;
+    for (std::size_t i = 0; i < section.count(); ++i)
+    {
+      const std::size_t end = section.firstCorner[i + 1];
+      polygons->InsertNextCell(static_cast<int>(end - section.firstCorner[i]));
+      for (std::size_t corner = section.firstCorner[i]; corner < end; ++corner)
+      {
+        polygons->InsertCellPoint(firstPoint + section.corners[corner]);
+      }
+      original->InsertNextValue(part.cut[section.cell[i]]);
+      offsets->InsertNextValue(part.offset);
+    }
+    firstPoint += static_cast<vtkIdType>(section.places.size());
+  }
+  output->SetPolys(polygons);
+  vtkCellData* from = grid_->GetCellData();
+  vtkCellData* to = output->GetCellData();
+  vtkNew<vtkIdList> ids;
+  ids->SetArray(original->GetPointer(0), original->GetNumberOfValues());
+  to->CopyAllocate(from, original->GetNumberOfValues());
+  vtkNew<vtkIdList> places;
+  places->SetNumberOfIds(original->GetNumberOfValues());
+  for (vtkIdType i = 0; i < places->GetNumberOfIds(); ++i)
+  {
+    places->SetId(i, i);
+  }
+  to->CopyData(from, ids, places);
+  ids->Release();
+  to->AddArray(original);
+  if (parts_.size() > 1)
+  {
+    to->AddArray(offsets);
+  }
+}
+
+}
