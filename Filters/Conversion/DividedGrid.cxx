@@ -39,14 +39,14 @@ template <class Visitor>
 void forEachPart(const CellFaces& cells, const CellDivision& division, std::size_t cell,
   vtkIdType firstNew, Visitor&& visit)
 {
-  const vtkIdType centre = firstNew + division.centre[cell];
+  const vtkIdType centre = firstNew + static_cast<vtkIdType>(division.fans.count() + cell);
   for (std::size_t face = cells.firstFace[cell]; face < cells.firstFace[cell + 1]; ++face)
   {
     const std::uint32_t* const c = cells.corners.data() + cells.firstCorner[face];
     const std::size_t size = cells.firstCorner[face + 1] - cells.firstCorner[face];
-    if (division.fanOf[face] != NoPoint)
+    if (division.fans.fanOf[face] != NoPoint)
     {
-      const vtkIdType fan = firstNew + division.fanOf[face];
+      const vtkIdType fan = firstNew + division.fans.fanOf[face];
       for (std::size_t i = 0; i < size; ++i)
       {
         const std::array<vtkIdType, 4> part{ c[(i + 1) % size], c[i], fan, centre };
@@ -162,7 +162,7 @@ void DividedGrid::check(double bytes) const
   }
   const double needed = parts * ofAPart +
     static_cast<double>(firstCorner_.back()) * sizeof(vtkIdType) +
-    static_cast<double>(division_.places.size()) * sizeof(Vector);
+    static_cast<double>(division_.fans.count() + division_.centres.size()) * sizeof(Vector);
   if (needed > bytes)
   {
     std::array<char, 300> text;
@@ -236,13 +236,17 @@ void DividedGrid::writePoints(vtkUnstructuredGrid* output) const
   const vtkIdType given = grid_->GetNumberOfPoints();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(given + static_cast<vtkIdType>(division_.places.size()));
+  points->SetNumberOfPoints(
+    given + static_cast<vtkIdType>(division_.fans.count() + division_.centres.size()));
   auto* to = static_cast<double*>(points->GetVoidPointer(0));
   std::copy_n(points_, 3 * given, to);
   to += 3 * given;
-  for (const Vector& place : division_.places)
+  for (const std::vector<Vector>* places : { &division_.fans.centres, &division_.centres })
   {
-    to = std::copy(place.begin(), place.end(), to);
+    for (const Vector& place : *places)
+    {
+      to = std::copy(place.begin(), place.end(), to);
+    }
   }
   output->SetPoints(points);
 }

@@ -35,12 +35,13 @@ SectionOfGrid::SectionOfGrid(vtkUnstructuredGrid* grid, const Vector& origin, co
 
 void SectionOfGrid::add(double offset, Execution& execution)
 {
+  const SectionPlane plane{ origin_, normal_, offset };
   std::vector<double> heights(static_cast<std::size_t>(grid_->GetNumberOfPoints()));
   execution.forEach(heights.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
       const double* p = points_ + 3 * i;
-      heights[i] = dot(normal_, minus(Vector{ p[0], p[1], p[2] }, origin_)) - offset;
+      heights[i] = plane.height({ p[0], p[1], p[2] });
     }
   });
   Part part;
@@ -48,7 +49,7 @@ void SectionOfGrid::add(double offset, Execution& execution)
   part.cut = cutCells(heights, execution);
   CellFaces faces = facesOfCells(grid_, part.cut, execution);
   turnOutward(faces, points_, execution);
-  part.section = planeSection(faces, points_, heights.data(), normal_, execution);
+  part.section = planeSection(faces, points_, std::move(heights), plane, execution);
   parts_.push_back(std::move(part));
 }
 
@@ -91,7 +92,7 @@ void SectionOfGrid::writePoints(vtkPolyData* output) const
   vtkIdType count = 0;
   for (const Part& part : parts_)
   {
-    count += static_cast<vtkIdType>(part.section.places.size());
+    count += static_cast<vtkIdType>(part.section.points.size());
   }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -99,20 +100,25 @@ void SectionOfGrid::writePoints(vtkPolyData* output) const
   vtkPointData* from = grid_->GetPointData();
   vtkPointData* to = output->GetPointData();
   to->InterpolateAllocate(from, count);
+  const bool hasData = from->GetNumberOfArrays() > 0;
+  vtkNew<vtkIdList> ids;
   vtkIdType id = 0;
   for (const Part& part : parts_)
   {
-    for (const PlaneSection::Place& place : part.section.places)
+    const PointSums& sums = part.section.sums;
+    for (std::size_t i = 0; i < part.section.points.size(); ++i, ++id)
     {
-      const double* p = points_ + 3 * std::size_t(place.from);
-      const double* q = points_ + 3 * std::size_t(place.to);
-      std::array<double, 3> at;
-      for (std::size_t axis = 0; axis < 3; ++axis)
+      points->SetPoint(id, part.section.points[i].data());
+      ids->Reset();
+      for (std::size_t term = sums.first[i]; hasData && term < sums.first[i + 1]; ++term)
       {
-        at[axis] = p[axis] + place.part * (q[axis] - p[axis]);
+        ids->InsertNextId(sums.point[term]);
       }
-      points->SetPoint(id, at.data());
-      to->InterpolateEdge(from, id++, place.from, place.to, place.part);
+      if (hasData)
+      {
+        to->InterpolatePoint(
+          from, id, ids, const_cast<double*>(sums.weight.data() + sums.first[i]));
+      }
     }
   }
   output->SetPoints(points);
@@ -140,7 +146,7 @@ void SectionOfGrid::writePolygons(vtkPolyData* output) const
       original->InsertNextValue(part.cut[section.cell[i]]);
       offsets->InsertNextValue(part.offset);
     }
-    firstPoint += static_cast<vtkIdType>(section.places.size());
+    firstPoint += static_cast<vtkIdType>(section.points.size());
   }
   output->SetPolys(polygons);
   vtkCellData* from = grid_->GetCellData();

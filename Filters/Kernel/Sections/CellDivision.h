@@ -5,30 +5,16 @@
 // same from both of its cells. With OpenFOAM's centres (CellGeometry.h) the parts have the volumes that solvers take.
 #pragma once
 
-#include "Lattice/Vector.h"
-#include "Quality/FaceList.h"
-
-#include <array>
+#include "Sections/FaceFans.h"
+#include "Sections/PointSums.h"
 
 namespace cartesian
 {
 
-// How far a quadrilateral may be off its plane to stay whole, relative to its longer diagonal.
-constexpr double FlatQuadrilateral = 1e-12;
-
-// Whether it is flat and convex. The same for the same corners from whichever they begin, in either direction: `ids` tell
-// them apart.
-bool staysWhole(const std::array<Vector, 4>& corners, const std::array<std::uint32_t, 4>& ids);
-
-constexpr std::uint32_t NoPoint = ~std::uint32_t(0);
-
 struct CellDivision
 {
-  std::vector<std::uint32_t>
-    fanOf; // of each face of each cell, the place that its fan is around; or NoPoint: whole
-  std::vector<std::uint32_t> centre;     // of each cell, a place
-  std::vector<Vector> places;            // of the new points: first of faces, then of cells
-  std::vector<std::uint32_t> facePlaces; // a face for each of the first places
+  FaceFans fans;
+  std::vector<Vector> centres;       // of the cells
   std::vector<std::uint8_t> inverts; // of each cell, 1: no point sees all of its faces from inside
   std::size_t moved = 0; // cells that are divided around another point than their centre
 };
@@ -37,14 +23,7 @@ struct CellDivision
 // threads nor on which of two cells comes first, down to the rounding of sums.
 CellDivision divideCells(const CellFaces& cells, const double* points, Execution& execution);
 
-// New points as sums of given ones, for which linear fields are exact.
-struct PointSums
-{
-  std::vector<std::size_t> first; // term of each new point, and the end
-  std::vector<std::uint32_t> point;
-  std::vector<double> weight;
-};
-
+// New points, fans before cells, as sums of given ones.
 PointSums sumsOf(
   const CellDivision& division, const CellFaces& cells, const double* points, Execution& execution);
 

@@ -53,13 +53,78 @@ struct Loops
   std::vector<Edge> corners;
 };
 
+// An end of an edge, and how far from it towards the other: or a point that is in the plane.
+struct Place
+{
+  std::uint32_t from;
+  std::uint32_t to;
+  double part;
+};
+
+// What faces' corners and fans' centres have in common: numbers, places and heights. Fans come after the points.
+class Ends
+{
+public:
+  Ends(const double* points, std::vector<double> heights, const FaceFans& fans,
+    const SectionPlane& plane)
+    : points_(points)
+    , heights_(std::move(heights))
+    , given_(static_cast<std::uint32_t>(heights_.size()))
+    , fans_(fans)
+  {
+    for (const Vector& centre : fans.centres)
+    {
+      heights_.push_back(plane.height(centre));
+    }
+  }
+
+  std::uint32_t ofFan(std::uint32_t fan) const { return given_ + fan; }
+  bool isFan(std::uint32_t end) const { return end >= given_; }
+  std::uint32_t fan(std::uint32_t end) const { return end - given_; }
+  bool isAbove(std::uint32_t end) const { return heights_[end] >= 0; }
+
+  Vector at(std::uint32_t end) const
+  {
+    if (isFan(end))
+    {
+      return fans_.centres[fan(end)];
+    }
+    const double* p = points_ + 3 * std::size_t(end);
+    return { p[0], p[1], p[2] };
+  }
+
+  Place place(const Edge& edge) const
+  {
+    const double a = heights_[edge.lower];
+    const double b = heights_[edge.upper];
+    if (a == 0 || b == 0)
+    {
+      const std::uint32_t end = a == 0 ? edge.lower : edge.upper;
+      return { end, end, 0 };
+    }
+    return { edge.lower, edge.upper, a / (a - b) };
+  }
+
+  Vector at(const Place& place) const
+  {
+    const Vector from = at(place.from);
+    return plus(from, scaled(minus(at(place.to), from), place.part));
+  }
+
+private:
+  const double* points_;
+  std::vector<double> heights_;
+  std::uint32_t given_;
+  const FaceFans& fans_;
+};
+
 class Cutter
 {
 public:
-  Cutter(const CellFaces& cells, const double* points, const double* heights, const Vector& normal)
+  Cutter(const CellFaces& cells, const Ends& ends, const FaceFans& fans, const Vector& normal)
     : cells_(cells)
-    , points_(points)
-    , heights_(heights)
+    , ends_(ends)
+    , fans_(fans)
     , normal_(normal)
   {
   }
@@ -69,7 +134,19 @@ public:
     segments_.clear();
     for (std::size_t face = cells_.firstFace[cell]; face < cells_.firstFace[cell + 1]; ++face)
     {
-      cutFace(face);
+      const std::uint32_t* const corners = cells_.corners.data() + cells_.firstCorner[face];
+      const std::size_t size = cells_.firstCorner[face + 1] - cells_.firstCorner[face];
+      if (fans_.fanOf[face] == NoPoint)
+      {
+        cutPolygon(corners, size);
+        continue;
+      }
+      for (std::size_t i = 0; i < size; ++i)
+      {
+        const std::array<std::uint32_t, 3> triangle{ corners[i], corners[i + 1 == size ? 0 : i + 1],
+          ends_.ofFan(fans_.fanOf[face]) };
+        cutPolygon(triangle.data(), 3);
+      }
     }
     if (!segments_.empty())
     {
@@ -77,38 +154,22 @@ public:
     }
   }
 
-  static PlaneSection::Place placeOf(const Edge& edge, const double* heights)
-  {
-    const double a = heights[edge.lower];
-    const double b = heights[edge.upper];
-    if (a == 0 || b == 0)
-    {
-      const std::uint32_t point = a == 0 ? edge.lower : edge.upper;
-      return { point, point, 0 };
-    }
-    return { edge.lower, edge.upper, a / (a - b) };
-  }
-
 private:
-  bool isAbove(std::uint32_t point) const { return heights_[point] >= 0; }
-
-  void cutFace(std::size_t face)
+  void cutPolygon(const std::uint32_t* corners, std::size_t size)
   {
-    const std::uint32_t* const corners = cells_.corners.data() + cells_.firstCorner[face];
-    const std::size_t size = cells_.firstCorner[face + 1] - cells_.firstCorner[face];
     crossings_.clear();
     for (std::size_t i = 0; i < size; ++i)
     {
       const std::uint32_t a = corners[i];
       const std::uint32_t b = corners[i + 1 == size ? 0 : i + 1];
-      if (isAbove(a) != isAbove(b))
+      if (ends_.isAbove(a) != ends_.isAbove(b))
       {
-        crossings_.push_back({ 0, isAbove(b), { std::min(a, b), std::max(a, b) } });
+        crossings_.push_back({ 0, ends_.isAbove(b), { std::min(a, b), std::max(a, b) } });
       }
     }
     if (crossings_.size() > 2)
     {
-      sortAlongFace(face, size);
+      sortAlong(corners, size);
     }
     for (std::size_t i = 0; i < crossings_.size(); i += 2)
     {
@@ -120,15 +181,13 @@ private:
 
   // So that each two that follow one another begin and end a part of the section. Ways down and up alternate along the
   // line, and where rounding has it otherwise, they are made to.
-  void sortAlongFace(std::size_t face, std::size_t size)
+  void sortAlong(const std::uint32_t* corners, std::size_t size)
   {
-    const auto corner = [&](std::size_t i) {
-      return at(cells_.corners[cells_.firstCorner[face] + i]);
-    };
+    const auto corner = [&](std::size_t i) { return ends_.at(corners[i]); };
     const Vector line = cross(normal_, measureFace(size, corner).area);
     for (Crossing& crossing : crossings_)
     {
-      crossing.along = dot(line, place(crossing.edge));
+      crossing.along = dot(line, ends_.at(ends_.place(crossing.edge)));
     }
     std::stable_sort(crossings_.begin(), crossings_.end(),
       [](const Crossing& a, const Crossing& b) { return a.along < b.along; });
@@ -138,19 +197,6 @@ private:
         crossings_.end(), [&](const Crossing& crossing) { return crossing.isUp == (i % 2 == 1); });
       std::rotate(crossings_.begin() + static_cast<std::ptrdiff_t>(i), next, next + 1);
     }
-  }
-
-  Vector at(std::uint32_t point) const
-  {
-    const double* p = points_ + 3 * std::size_t(point);
-    return { p[0], p[1], p[2] };
-  }
-
-  Vector place(const Edge& edge) const
-  {
-    const PlaneSection::Place where = placeOf(edge, heights_);
-    const Vector from = at(where.from);
-    return plus(from, scaled(minus(at(where.to), from), where.part));
   }
 
   // Each edge that a segment ends at begins another.
@@ -203,8 +249,8 @@ private:
 
   bool isSamePlace(const Edge& a, const Edge& b) const
   {
-    const PlaneSection::Place p = placeOf(a, heights_);
-    const PlaneSection::Place q = placeOf(b, heights_);
+    const Place p = ends_.place(a);
+    const Place q = ends_.place(b);
     return p.from == q.from && p.to == q.to;
   }
 
@@ -224,7 +270,7 @@ private:
       places.emplace_back();
       for (const Edge& edge : ring)
       {
-        places.back().push_back(place(edge));
+        places.back().push_back(ends_.at(ends_.place(edge)));
       }
     }
     std::vector<std::vector<Edge>> joined;
@@ -240,8 +286,8 @@ private:
   }
 
   const CellFaces& cells_;
-  const double* points_;
-  const double* heights_;
+  const Ends& ends_;
+  const FaceFans& fans_;
   Vector normal_;
   std::vector<Crossing> crossings_;
   std::vector<Segment> segments_;
@@ -249,56 +295,107 @@ private:
   std::vector<std::vector<Edge>> rings_;
 };
 
-// Numbers places in the order in which polygons have them.
-PlaneSection numbered(const std::vector<Loops>& parts, const double* heights)
+class Numbering
 {
-  std::size_t corners = 0;
-  for (const Loops& part : parts)
+public:
+  Numbering(const std::vector<Loops>& parts, const Ends& ends)
+    : parts_(parts)
+    , ends_(ends)
   {
-    corners += part.corners.size();
   }
-  PlaneSection section;
-  section.corners.reserve(corners);
-  EdgeTable table;
-  table.reset(corners);
-  for (const Loops& part : parts)
+
+  // Numbers places in the order in which polygons have them.
+  PlaneSection number()
   {
-    auto corner = part.corners.begin();
-    for (std::size_t i = 0; i < part.size.size(); ++i)
+    std::size_t corners = 0;
+    for (const Loops& part : parts_)
     {
-      for (std::size_t j = 0; j < part.size[i]; ++j, ++corner)
-      {
-        const PlaneSection::Place place = Cutter::placeOf(*corner, heights);
-        std::uint32_t& number = table.at(place.from, place.to);
-        if (number == EdgeTable::Fresh)
-        {
-          number = static_cast<std::uint32_t>(section.places.size());
-          section.places.push_back(place);
-        }
-        section.corners.push_back(number);
-      }
-      section.firstCorner.push_back(section.corners.size());
-      section.cell.push_back(part.cell[i]);
+      corners += part.corners.size();
     }
+    section_.corners.reserve(corners);
+    table_.reset(corners);
+    for (const Loops& part : parts_)
+    {
+      for (const Edge& edge : part.corners)
+      {
+        section_.corners.push_back(numberOf(edge));
+      }
+      for (const std::size_t size : part.size)
+      {
+        section_.firstCorner.push_back(section_.firstCorner.back() + size);
+      }
+      section_.cell.insert(section_.cell.end(), part.cell.begin(), part.cell.end());
+    }
+    return std::move(section_);
   }
-  return section;
-}
 
-}
+  const std::vector<Place>& places() const { return places_; }
 
-PlaneSection planeSection(const CellFaces& cells, const double* points, const double* heights,
-  const Vector& normal, Execution& execution)
+private:
+  std::uint32_t numberOf(const Edge& edge)
+  {
+    const Place place = ends_.place(edge);
+    std::uint32_t& number = table_.at(place.from, place.to);
+    if (number == EdgeTable::Fresh)
+    {
+      number = static_cast<std::uint32_t>(places_.size());
+      places_.push_back(place);
+      section_.points.push_back(ends_.at(place));
+    }
+    return number;
+  }
+
+  const std::vector<Loops>& parts_;
+  const Ends& ends_;
+  EdgeTable table_;
+  std::vector<Place> places_;
+  PlaneSection section_;
+};
+
+bool isWarped(const FaceCorners& corners, std::size_t face)
 {
+  const std::size_t size = corners.size(face);
+  return size > 3 && !isFlat(size, [&](std::size_t i) { return corners.corner(face, i); });
+}
+
+}
+
+PlaneSection planeSection(const CellFaces& cells, const double* points, std::vector<double> heights,
+  const SectionPlane& plane, Execution& execution)
+{
+  const FaceFans fans = findFans(cells, points, isWarped, execution);
+  const Ends ends(points, std::move(heights), fans, plane);
   std::vector<Loops> parts(chunks(cells.cellCount(), CellsAChunk));
-  execution.nextLoop(0.7);
   execution.forEach(cells.cellCount(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-    Cutter cutter(cells, points, heights, normal);
+    Cutter cutter(cells, ends, fans, plane.normal);
     for (std::size_t cell = begin; cell < end; ++cell)
     {
       cutter.cut(cell, parts[begin / CellsAChunk]);
     }
   });
-  return numbered(parts, heights);
+  Numbering numbering(parts, ends);
+  PlaneSection section = numbering.number();
+  const FaceCorners corners(cells, points);
+  const std::vector<Place>& places = numbering.places();
+  section.sums = pointSums(places.size(), execution, [&] {
+    return [&](std::size_t i, std::vector<Term>& terms) {
+      terms.clear();
+      const auto add = [&](std::uint32_t end, double weight) {
+        if (ends.isFan(end))
+        {
+          addFace(corners, fans.faces[ends.fan(end)], weight, terms);
+        }
+        else if (weight != 0)
+        {
+          terms.push_back({ end, weight });
+        }
+      };
+      add(places[i].from, 1 - places[i].part);
+      add(places[i].to, places[i].part);
+      merge(terms);
+    };
+  });
+  return section;
 }
 
 }
