@@ -195,24 +195,23 @@ private:
   // By the least change of the weights that puts the sum in its place: of a cell whose centre has moved.
   void correct(const Vector& place, std::vector<Term>& terms) const
   {
-    Vector sum{};
-    Vector mean{};
+    Vector gap{};
+    Vector mean{}; // relative to the place, for accuracy
     for (const Term& term : terms)
     {
-      const Vector at = faces_.at(term.point);
-      sum = plus(sum, scaled(at, term.weight));
-      mean = plus(mean, scaled(at, 1 / static_cast<double>(terms.size())));
+      const Vector from = minus(faces_.at(term.point), place);
+      gap = minus(gap, scaled(from, term.weight));
+      mean = plus(mean, scaled(from, 1 / static_cast<double>(terms.size())));
     }
     std::array<Vector, 3> spread{};
     for (const Term& term : terms)
     {
-      const Vector from = minus(faces_.at(term.point), mean);
+      const Vector from = minus(minus(faces_.at(term.point), place), mean);
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         spread[axis] = plus(spread[axis], scaled(from, from[axis]));
       }
     }
-    const Vector gap = minus(place, sum);
     const double determinant = dot(spread[0], cross(spread[1], spread[2]));
     if (!(std::abs(determinant) > Tiny))
     {
@@ -225,7 +224,7 @@ private:
         1 / determinant);
     for (Term& term : terms)
     {
-      term.weight += dot(way, minus(faces_.at(term.point), mean));
+      term.weight += dot(way, minus(minus(faces_.at(term.point), place), mean));
     }
   }
 
