@@ -15,6 +15,9 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace cartesian
 {
 
@@ -35,30 +38,44 @@ SectionOfGrid::SectionOfGrid(vtkUnstructuredGrid* grid, const Vector& origin, co
 
 void SectionOfGrid::add(double offset, Execution& execution)
 {
-  const SectionPlane plane{ origin_, normal_, offset };
-  std::vector<double> heights(static_cast<std::size_t>(grid_->GetNumberOfPoints()));
+  if (heights_.empty())
+  {
+    findHeights(execution);
+  }
+  std::vector<double> heights(heights_.size());
   execution.forEach(heights.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
-      const double* p = points_ + 3 * i;
-      heights[i] = plane.height({ p[0], p[1], p[2] });
+      heights[i] = heights_[i] - offset;
     }
   });
   Part part;
   part.offset = offset;
-  part.cut = cutCells(heights, execution);
+  part.cut = cutCells(offset, execution);
   CellFaces faces = facesOfCells(grid_, part.cut, execution);
   turnOutward(faces, points_, execution);
-  part.section = planeSection(faces, points_, std::move(heights), plane, execution);
+  part.section = planeSection(faces, points_, heights, { origin_, normal_, offset }, execution);
+  if (grid_->GetPointData()->GetNumberOfArrays() > 0)
+  {
+    part.sums = sumsOf(part.section, faces, points_, execution);
+  }
   parts_.push_back(std::move(part));
 }
 
-// Those with points on both sides.
-std::vector<vtkIdType> SectionOfGrid::cutCells(
-  const std::vector<double>& heights, Execution& execution) const
+void SectionOfGrid::findHeights(Execution& execution)
 {
+  const SectionPlane plane{ origin_, normal_, 0 };
+  heights_.resize(static_cast<std::size_t>(grid_->GetNumberOfPoints()));
+  execution.forEach(heights_.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const double* p = points_ + 3 * i;
+      heights_[i] = plane.height({ p[0], p[1], p[2] });
+    }
+  });
   const auto count = static_cast<std::size_t>(grid_->GetNumberOfCells());
-  std::vector<std::vector<vtkIdType>> found(chunks(count, ItemsAChunk));
+  lowest_.assign(count, std::numeric_limits<double>::infinity());
+  highest_.assign(count, -std::numeric_limits<double>::infinity());
   execution.forEach(count, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
     auto cells = vtk::TakeSmartPointer(grid_->GetCells()->NewIterator());
     for (std::size_t cell = begin; cell < end; ++cell)
@@ -66,12 +83,24 @@ std::vector<vtkIdType> SectionOfGrid::cutCells(
       vtkIdType size = 0;
       const vtkIdType* corners = nullptr;
       cells->GetCellAtId(static_cast<vtkIdType>(cell), size, corners);
-      vtkIdType above = 0;
       for (vtkIdType i = 0; i < size; ++i)
       {
-        above += heights[static_cast<std::size_t>(corners[i])] >= 0 ? 1 : 0;
+        const double height = heights_[static_cast<std::size_t>(corners[i])];
+        lowest_[cell] = std::min(lowest_[cell], height);
+        highest_[cell] = std::max(highest_[cell], height);
       }
-      if (above > 0 && above < size)
+    }
+  });
+}
+
+// Those with points on both sides.
+std::vector<vtkIdType> SectionOfGrid::cutCells(double offset, Execution& execution) const
+{
+  std::vector<std::vector<vtkIdType>> found(chunks(lowest_.size(), ItemsAChunk));
+  execution.forEach(lowest_.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell)
+    {
+      if (lowest_[cell] - offset < 0 && highest_[cell] - offset >= 0)
       {
         found[begin / ItemsAChunk].push_back(static_cast<vtkIdType>(cell));
       }
@@ -105,20 +134,20 @@ void SectionOfGrid::writePoints(vtkPolyData* output) const
   vtkIdType id = 0;
   for (const Part& part : parts_)
   {
-    const PointSums& sums = part.section.sums;
+    const PointSums& sums = part.sums;
     for (std::size_t i = 0; i < part.section.points.size(); ++i, ++id)
     {
       points->SetPoint(id, part.section.points[i].data());
+      if (!hasData)
+      {
+        continue;
+      }
       ids->Reset();
-      for (std::size_t term = sums.first[i]; hasData && term < sums.first[i + 1]; ++term)
+      for (std::size_t term = sums.first[i]; term < sums.first[i + 1]; ++term)
       {
         ids->InsertNextId(sums.point[term]);
       }
-      if (hasData)
-      {
-        to->InterpolatePoint(
-          from, id, ids, const_cast<double*>(sums.weight.data() + sums.first[i]));
-      }
+      to->InterpolatePoint(from, id, ids, const_cast<double*>(sums.weight.data() + sums.first[i]));
     }
   }
   output->SetPoints(points);

@@ -32,9 +32,11 @@ private:
     double offset;
     std::vector<vtkIdType> cut; // the cells of the section
     PlaneSection section;
+    PointSums sums; // where there are data of points
   };
 
-  std::vector<vtkIdType> cutCells(const std::vector<double>& heights, Execution& execution) const;
+  void findHeights(Execution& execution);
+  std::vector<vtkIdType> cutCells(double offset, Execution& execution) const;
   void writePoints(vtkPolyData* output) const;
   void writePolygons(vtkPolyData* output) const;
 
@@ -43,6 +45,9 @@ private:
   Vector normal_;
   std::vector<double> copy_;
   const double* points_;
+  std::vector<double> heights_; // of points, above the plane at offset 0
+  std::vector<double> lowest_;  // of the points of each cell
+  std::vector<double> highest_;
   std::vector<Part> parts_;
 };
 

@@ -167,21 +167,6 @@ bool staysWhole(const std::array<Vector, 4>& corners, const std::array<std::uint
     turnsWith(minus(d, c), scaled(d, -1)) && turnsWith(scaled(d, -1), b);
 }
 
-bool isFlat(std::size_t size, const std::function<Vector(std::size_t)>& corner)
-{
-  const Vector area = measureFace(size, corner).area;
-  const Vector normal = unit(area);
-  double most = 0;
-  double farthest = 0;
-  for (std::size_t i = 1; i < size; ++i)
-  {
-    const Vector from = minus(corner(i), corner(0));
-    most = std::max(most, std::abs(dot(from, normal)));
-    farthest = std::max(farthest, dot(from, from));
-  }
-  return most <= FlatQuadrilateral * std::sqrt(farthest);
-}
-
 FaceFans findFans(const CellFaces& cells, const double* points,
   const std::function<bool(const FaceCorners&, std::size_t)>& hasFan, Execution& execution)
 {

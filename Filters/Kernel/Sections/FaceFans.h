@@ -19,8 +19,29 @@ constexpr double FlatQuadrilateral = 1e-12;
 // them apart.
 bool staysWhole(const std::array<Vector, 4>& corners, const std::array<std::uint32_t, 4>& ids);
 
-// Whether a polygon of any size is as flat, relative to its longest diagonal from a corner.
-bool isFlat(std::size_t size, const std::function<Vector(std::size_t)>& corner);
+// Whether a polygon of any size is as flat, relative to its longest diagonal from its first corner.
+template <class Corner>
+bool isFlat(std::size_t size, Corner&& corner)
+{
+  const Vector first = corner(0);
+  Vector area{};
+  double farthest = 0;
+  for (std::size_t i = 1; i + 1 < size; ++i)
+  {
+    const Vector from = minus(corner(i), first);
+    area = plus(area, cross(from, minus(corner(i + 1), first)));
+    farthest = std::max(farthest, dot(from, from));
+  }
+  const double most = FlatQuadrilateral * std::sqrt(farthest) * norm(area);
+  for (std::size_t i = 1; i < size; ++i)
+  {
+    if (!(std::abs(dot(minus(corner(i), first), area)) <= most))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 
 constexpr std::uint32_t NoPoint = ~std::uint32_t(0);
 

@@ -53,35 +53,31 @@ struct Loops
   std::vector<Edge> corners;
 };
 
-// An end of an edge, and how far from it towards the other: or a point that is in the plane.
-struct Place
-{
-  std::uint32_t from;
-  std::uint32_t to;
-  double part;
-};
+using Place = PlaneSection::Place;
 
 // What faces' corners and fans' centres have in common: numbers, places and heights. Fans come after the points.
 class Ends
 {
 public:
-  Ends(const double* points, std::vector<double> heights, const FaceFans& fans,
+  Ends(const double* points, const std::vector<double>& heights, const FaceFans& fans,
     const SectionPlane& plane)
     : points_(points)
-    , heights_(std::move(heights))
-    , given_(static_cast<std::uint32_t>(heights_.size()))
+    , heights_(heights)
+    , given_(static_cast<std::uint32_t>(heights.size()))
     , fans_(fans)
   {
     for (const Vector& centre : fans.centres)
     {
-      heights_.push_back(plane.height(centre));
+      ofFans_.push_back(plane.height(centre));
     }
   }
 
   std::uint32_t ofFan(std::uint32_t fan) const { return given_ + fan; }
   bool isFan(std::uint32_t end) const { return end >= given_; }
   std::uint32_t fan(std::uint32_t end) const { return end - given_; }
-  bool isAbove(std::uint32_t end) const { return heights_[end] >= 0; }
+  double height(std::uint32_t end) const { return isFan(end) ? ofFans_[fan(end)] : heights_[end]; }
+  bool isAbove(std::uint32_t end) const { return height(end) >= 0; }
+  std::uint32_t given() const { return given_; }
 
   Vector at(std::uint32_t end) const
   {
@@ -95,8 +91,8 @@ public:
 
   Place place(const Edge& edge) const
   {
-    const double a = heights_[edge.lower];
-    const double b = heights_[edge.upper];
+    const double a = height(edge.lower);
+    const double b = height(edge.upper);
     if (a == 0 || b == 0)
     {
       const std::uint32_t end = a == 0 ? edge.lower : edge.upper;
@@ -113,7 +109,8 @@ public:
 
 private:
   const double* points_;
-  std::vector<double> heights_;
+  const std::vector<double>& heights_;
+  std::vector<double> ofFans_;
   std::uint32_t given_;
   const FaceFans& fans_;
 };
@@ -326,10 +323,9 @@ public:
       }
       section_.cell.insert(section_.cell.end(), part.cell.begin(), part.cell.end());
     }
+    section_.given = ends_.given();
     return std::move(section_);
   }
-
-  const std::vector<Place>& places() const { return places_; }
 
 private:
   std::uint32_t numberOf(const Edge& edge)
@@ -338,8 +334,8 @@ private:
     std::uint32_t& number = table_.at(place.from, place.to);
     if (number == EdgeTable::Fresh)
     {
-      number = static_cast<std::uint32_t>(places_.size());
-      places_.push_back(place);
+      number = static_cast<std::uint32_t>(section_.places.size());
+      section_.places.push_back(place);
       section_.points.push_back(ends_.at(place));
     }
     return number;
@@ -348,23 +344,41 @@ private:
   const std::vector<Loops>& parts_;
   const Ends& ends_;
   EdgeTable table_;
-  std::vector<Place> places_;
   PlaneSection section_;
 };
 
-bool isWarped(const FaceCorners& corners, std::size_t face)
+// A face that crosses the plane and is not flat.
+class IsWarped
 {
-  const std::size_t size = corners.size(face);
-  return size > 3 && !isFlat(size, [&](std::size_t i) { return corners.corner(face, i); });
-}
+public:
+  explicit IsWarped(const std::vector<double>& heights)
+    : heights_(heights)
+  {
+  }
+
+  bool operator()(const FaceCorners& corners, std::size_t face) const
+  {
+    const std::size_t size = corners.size(face);
+    std::size_t above = 0;
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      above += heights_[corners.id(face, i)] >= 0 ? 1 : 0;
+    }
+    return size > 3 && above > 0 && above < size &&
+      !isFlat(size, [&](std::size_t i) { return corners.corner(face, i); });
+  }
+
+private:
+  const std::vector<double>& heights_;
+};
 
 }
 
-PlaneSection planeSection(const CellFaces& cells, const double* points, std::vector<double> heights,
-  const SectionPlane& plane, Execution& execution)
+PlaneSection planeSection(const CellFaces& cells, const double* points,
+  const std::vector<double>& heights, const SectionPlane& plane, Execution& execution)
 {
-  const FaceFans fans = findFans(cells, points, isWarped, execution);
-  const Ends ends(points, std::move(heights), fans, plane);
+  const FaceFans fans = findFans(cells, points, IsWarped(heights), execution);
+  const Ends ends(points, heights, fans, plane);
   std::vector<Loops> parts(chunks(cells.cellCount(), CellsAChunk));
   execution.forEach(cells.cellCount(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
     Cutter cutter(cells, ends, fans, plane.normal);
@@ -373,29 +387,34 @@ PlaneSection planeSection(const CellFaces& cells, const double* points, std::vec
       cutter.cut(cell, parts[begin / CellsAChunk]);
     }
   });
-  Numbering numbering(parts, ends);
-  PlaneSection section = numbering.number();
+  PlaneSection section = Numbering(parts, ends).number();
+  section.fans = fans.faces;
+  return section;
+}
+
+PointSums sumsOf(
+  const PlaneSection& section, const CellFaces& cells, const double* points, Execution& execution)
+{
   const FaceCorners corners(cells, points);
-  const std::vector<Place>& places = numbering.places();
-  section.sums = pointSums(places.size(), execution, [&] {
+  return pointSums(section.places.size(), execution, [&] {
     return [&](std::size_t i, std::vector<Term>& terms) {
       terms.clear();
       const auto add = [&](std::uint32_t end, double weight) {
-        if (ends.isFan(end))
+        if (end >= section.given)
         {
-          addFace(corners, fans.faces[ends.fan(end)], weight, terms);
+          addFace(corners, section.fans[end - section.given], weight, terms);
         }
         else if (weight != 0)
         {
           terms.push_back({ end, weight });
         }
       };
-      add(places[i].from, 1 - places[i].part);
-      add(places[i].to, places[i].part);
+      const PlaneSection::Place& place = section.places[i];
+      add(place.from, 1 - place.part);
+      add(place.to, place.part);
       merge(terms);
     };
   });
-  return section;
 }
 
 }
