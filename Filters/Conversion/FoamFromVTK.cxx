@@ -192,7 +192,7 @@ BoundaryKnowledge readBoundaries(vtkUnstructuredGrid* grid, const GridFaces& fac
 WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution)
 {
   GridFaces faces(grid);
-  turnOutward(faces.cells, faces.points, execution);
+  turnOutward(faces.cells, faces.points.data(), execution);
   FaceList list = listFaces(faces.cells, faces.points.size() / 3, Clashes::Refused, execution);
   std::vector<vtkIdType> boundaryOf;
   const BoundaryKnowledge known = readBoundaries(grid, faces, list, boundaryOf);
@@ -219,7 +219,7 @@ FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)
       "A piece of the mesh has no cells, which OpenFOAM does not accept: write fewer pieces.");
   }
   GridFaces faces(grid);
-  turnOutward(faces.cells, faces.points, execution);
+  turnOutward(faces.cells, faces.points.data(), execution);
   FaceList list = listFaces(faces.cells, faces.points.size() / 3, Clashes::Refused, execution);
   std::vector<vtkIdType> boundaryOf;
   if (readBoundaries(grid, faces, list, boundaryOf) != BoundaryKnowledge::All)

@@ -37,6 +37,8 @@ assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
 mesher = simple.CartesianMesher(Input=surface)
 inspector = simple.SurfaceInspector(Input=surface)
 split = simple.SplitSurface(Input=surface)
+divided = simple.DividePolyhedra(Input=mesher)
+section = simple.SlicePolyhedra(Input=mesher)
 quality = simple.FiniteVolumeQuality(Input=mesher)
 summary = simple.MeshSummary(Input=mesher)
 histogram = simple.QualityHistogram(Input=mesher)
@@ -54,6 +56,8 @@ expected = {
     split: ("Split Surface", ["Input", "Selection"], boundaries | threads | {"SplitBy": "Flat Caps", "FeatureAngle": 30.0,
         "CapNames": "cap", "BoundaryNames": [], "BoundaryMergedNames": [], "SelectionName": "selected",
         "SelectWholePatches": 1}),
+    divided: ("Divide Polyhedra", ["Input"], threads | memory),
+    section: ("Slice Polyhedra", ["Input"], threads | {"Origin": [0, 0, 0], "Normal": [1, 0, 0], "Offsets": [0]}),
     quality: ("Finite Volume Quality", ["Input"], threads | {"OpennessLimit": 1e-6, "BoundaryAngleLimit": 90,
         "InnerAngleLimit": 75, "NonOrthogonalityLimit": 70, "SkewnessLimit": 4, "FaceWeightLimit": 0.05,
         "VolumeRatioLimit": 0.01, "DeterminantLimit": 0.001, "AspectRatioLimit": 1000, "ShowFailingCells": None}),

@@ -1,6 +1,6 @@
 """xvfb-run -a pvpython draw.py REPOSITORY PROGRAM [NAME ...]: makes pictures of the help pages: of the mesh of
 their task cut open (task), of a flow that OpenFOAM computed (flow), of a mesh that
-follows a solution (adaptation), of layers (layers), of the coolant jacket (jacket), and of solid and gas
+follows a solution (adaptation), of layers (layers), of the coolant jacket (jacket), of sections (slices), and of solid and gas
 of the exhaust header (regions; needs the folder of surfaces in SURFACES). PROGRAM is cartesian-mesher; the others are made by
 demo.sh, TestImages.py and Window/photograph.py."""
 
@@ -161,8 +161,33 @@ def draw_adaptation(folder):
     picture("adaptation.png", view, [0.2, 1, 0.15])
 
 
+def draw_slices(folder):
+    """The same cells at the header's wall, by ParaView's Slice and by Slice Polyhedra."""
+    mesher = simple.CartesianMesher(Input=simple.OpenDataFile(str(DATA / "kcl_exhaust_header_lumens.stl")), CellSize=8)
+    plane = simple.Slice(Input=mesher, SliceType="Plane")
+    plane.SliceType.Origin, plane.SliceType.Normal = [0, 100, 0], [0, 1, 0]
+    parts = []
+    for number, source in enumerate((plane, simple.SlicePolyhedra(Input=mesher, Origin=[0, 100, 0], Normal=[0, 1, 0]))):
+        view = simple.CreateView("RenderView")
+        display = show(source, view, "Region")
+        display.ColorArrayName = ["CELLS", ""]
+        display.SetScalarBarVisibility(view, False)
+        display.DiffuseColor, display.LineWidth = [0.75, 0.85, 0.95], 2
+        parts.append(folder / f"{number}.png")
+        view.CameraParallelProjection = 1
+        picture(parts[-1], view, [0, -1, 0], 1, [500, 400])
+        camera = simple.GetActiveCamera()
+        camera.SetFocalPoint(*CUT)
+        camera.SetPosition(CUT[0], CUT[1] - 300, CUT[2])
+        view.CameraParallelScale = 24
+        simple.SaveScreenshot(str(parts[-1]), view)
+    joined("slices.png", parts)
+
+
+CUT = [51, 100, -3]  # in the middle of a tube of the header
+
 DRAWN = {"task": draw_task, "flow": draw_flow, "layers": draw_layers, "adaptation": draw_adaptation,
-         "jacket": draw_jacket, "regions": draw_regions}
+         "jacket": draw_jacket, "regions": draw_regions, "slices": draw_slices}
 for name in sys.argv[3:] or DRAWN:
     with tempfile.TemporaryDirectory() as folder:
         DRAWN[name](pathlib.Path(folder))

@@ -34,6 +34,8 @@ simple.SplitSurface(Input=flawed)
 simple.SurfaceInspector(Input=flawed)
 simple.RefinementRegion(Input=flawed)
 simple.FiniteVolumeQuality(Input=simple.OutputPort(mesher, 0))
+simple.DividePolyhedra(Input=simple.OutputPort(mesher, 0))
+simple.SlicePolyhedra(Input=simple.OutputPort(mesher, 0))
 simple.MeshSummary(Input=simple.OutputPort(mesher, 0))
 """
 

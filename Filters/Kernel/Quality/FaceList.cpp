@@ -235,11 +235,11 @@ void placeFaces(const CellFaces& cells, const std::vector<std::uint32_t>& neighb
 
 }
 
-void turnOutward(CellFaces& cells, const std::vector<double>& points, Execution& execution)
+void turnOutward(CellFaces& cells, const double* points, Execution& execution)
 {
   const auto point = [&](std::size_t corner, std::size_t from) {
-    const double* p = points.data() + 3 * std::size_t(cells.corners[corner]);
-    const double* q = points.data() + 3 * std::size_t(cells.corners[from]);
+    const double* p = points + 3 * std::size_t(cells.corners[corner]);
+    const double* q = points + 3 * std::size_t(cells.corners[from]);
     return Vector{ p[0] - q[0], p[1] - q[1], p[2] - q[2] };
   };
   const auto volume = [&](std::size_t cell) {

@@ -23,7 +23,7 @@ struct CellFaces
 
 // Reverses all faces of cells with negative volume. Afterwards corners run counter-clockwise from outside the cell,
 // provided that the faces of each cell were consistently oriented. `points`: three coordinates each.
-void turnOutward(CellFaces& cells, const std::vector<double>& points, Execution& execution);
+void turnOutward(CellFaces& cells, const double* points, Execution& execution);
 
 struct FaceList
 {

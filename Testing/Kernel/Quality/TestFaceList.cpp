@@ -214,7 +214,7 @@ TEST(FaceList, CellsInsideOutAreTurned)
   }
   expectRefused(cells, "Face 1 of cell 0");
   Execution execution;
-  turnOutward(cells, positions(), execution);
+  turnOutward(cells, positions().data(), execution);
   EXPECT_EQ(cells.corners, right.corners);
 }
 
