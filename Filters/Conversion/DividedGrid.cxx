@@ -34,7 +34,7 @@ bool isOwnKind(int type)
     type == VTK_PYRAMID;
 }
 
-// The parts of a divided cell, one after the other: their type, and corners in VTK's order.
+// The parts of a divided cell, one by one: their type, and corners in VTK's order.
 template <class Visitor>
 void forEachPart(const CellFaces& cells, const CellDivision& division, std::size_t cell,
   vtkIdType firstNew, Visitor&& visit)

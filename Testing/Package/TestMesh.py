@@ -19,7 +19,7 @@ from reference import every, proxies  # noqa: E402
 
 # What the panel lets one set, but for the surface, and what only ranks need.
 PROPERTIES = [property for property in every(proxies()["filters.CartesianMesher"])
-    if not property.is_hidden and not property.is_information and property.name not in ("Input", "InPieces")]
+    if not property.is_hidden and not property.is_information and property.name not in ("Input", "InPieces", "Preview")]
 
 
 class Wrapped(vtkPolyData):
