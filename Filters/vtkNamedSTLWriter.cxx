@@ -50,12 +50,7 @@ public:
 private:
   void WriteTriangle(std::size_t t)
   {
-    std::array<cartesian::Vector, 3> c;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const double* p = view_.points + 3 * std::size_t(view_.triangles[3 * t + i]);
-      c[i] = { p[0], p[1], p[2] };
-    }
+    const auto c = view_.corners(t);
     file_.text(" facet normal");
     for (const double x :
       cartesian::unit(cartesian::cross(cartesian::minus(c[1], c[0]), cartesian::minus(c[2], c[0]))))

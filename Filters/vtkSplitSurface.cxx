@@ -100,12 +100,7 @@ std::vector<double> AreasOf(const cartesian::SurfaceView& view)
   std::vector<double> areas(view.triangleCount);
   for (std::size_t t = 0; t < view.triangleCount; ++t)
   {
-    std::array<cartesian::Vector, 3> c;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const double* p = view.points + 3 * std::size_t(view.triangles[3 * t + i]);
-      c[i] = { p[0], p[1], p[2] };
-    }
+    const auto c = view.corners(t);
     areas[t] = cartesian::norm(
                  cartesian::cross(cartesian::minus(c[1], c[0]), cartesian::minus(c[2], c[0]))) /
       2;

@@ -6,7 +6,7 @@ import sys
 
 from paraview import simple
 
-from events import apply, choose, event, meshing_menu, open_file, script
+from events import apply, choose, event, meshing_menu, open_file, save_as, script
 from window import Screen
 
 sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "Testing" / "Plugin"))
@@ -22,8 +22,7 @@ with Screen() as screen:
     actions = [
         open_file(body), apply(),
         meshing_menu("CartesianMesher"), choose("Domain", "Outside"), choose("Ground", "zMin"), apply(),
-        "\n".join([event("pqClientMainWindow/menubar/menu_File", "activate", "actionFileSaveData"),
-                   event("pqClientMainWindow/FileSaveDialog", "filesSelected", case / "case.foam")]),
+        save_as(case / "case.foam"),
         event(f"{IN_DIALOG}/SolverSetup/ComboBox", "set_string", "Incompressible"),
         event(f"{DIALOG}/widget/OKButton", "activate")]
     assert len(actions) == 9

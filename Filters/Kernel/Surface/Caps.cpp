@@ -19,17 +19,6 @@ constexpr double LeastWalls = 4 * (1 - 1e-6);
 // By so many degrees the walls turn away from a cap at least: a duct may end at a slant, and a facet of a round body is none.
 constexpr double LeastTurn = 40;
 
-std::array<Vector, 3> cornersOf(const SurfaceView& view, std::size_t triangle)
-{
-  std::array<Vector, 3> corners;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const double* p = view.points + 3 * std::size_t(view.triangles[3 * triangle + i]);
-    corners[i] = { p[0], p[1], p[2] };
-  }
-  return corners;
-}
-
 // Of each component, by its lowest vertex: 1, or -1 if its triangles face inwards.
 std::vector<std::int8_t> outwards(const Surface& surface, DisjointSets& components)
 {
@@ -160,7 +149,7 @@ std::vector<PatchShape> shapesOf(const SurfaceView& view, const Surface& surface
   for (std::size_t t = 0; t < patchOf.size(); ++t)
   {
     PatchShape& shape = shapes[patchOf[t]];
-    const auto c = cornersOf(view, surface.given[t]);
+    const auto c = view.corners(surface.given[t]);
     const Vector area = scaled(cross(minus(c[1], c[0]), minus(c[2], c[0])), 0.5);
     const double size = norm(area);
     shape.area = plus(shape.area, area);
@@ -175,7 +164,7 @@ std::vector<PatchShape> shapesOf(const SurfaceView& view, const Surface& surface
   {
     PatchShape& shape = shapes[patchOf[t]];
     const Vector normal = unit(shape.area);
-    for (const Vector& corner : cornersOf(view, surface.given[t]))
+    for (const Vector& corner : view.corners(surface.given[t]))
     {
       const Vector from = minus(corner, shape.centre);
       shape.radius = std::max(shape.radius, norm(from));

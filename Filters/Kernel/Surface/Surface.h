@@ -4,6 +4,7 @@
 
 #include "Base/Execution.h"
 #include "Lattice/Crossing.h"
+#include "Lattice/Vector.h"
 #include "Surface/Walls.h"
 #include "Surface/Winding.h"
 
@@ -25,6 +26,17 @@ struct SurfaceView
   const std::int32_t* region =
     nullptr; // of each triangle, from FirstRegion; null: there is only one
   const std::vector<std::string>* regionNames = nullptr; // in order, for messages; null: none
+
+  std::array<Vector, 3> corners(std::size_t triangle) const
+  {
+    std::array<Vector, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const double* p = points + 3 * std::size_t(triangles[3 * triangle + i]);
+      corners[i] = { p[0], p[1], p[2] };
+    }
+    return corners;
+  }
 };
 
 // The bounds of all points that triangles use. Throws Error: EmptySurface, BadCoordinate (with the
