@@ -22,7 +22,6 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionManager.h"
-#include "vtkSMTransferFunctionProxy.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
@@ -47,6 +46,22 @@ bool isSmallWorse(const std::string& measure)
   return spec != MeasureSpecs.end() && !spec->largeIsWorse;
 }
 
+// Without vtkSMTransferFunctionProxy, whose header wants development packages that ParaView 6.1's does not bring.
+void invert(vtkSMProxy* colours)
+{
+  vtkSMPropertyHelper points(colours, "RGBPoints"); // value, red, green, blue
+  const std::vector<double> before = points.GetDoubleArray();
+  std::vector<double> after;
+  for (std::size_t end = before.size(); end >= 4; end -= 4)
+  {
+    after.push_back(before.front() + before[before.size() - 4] - before[end - 4]);
+    after.insert(after.end(), before.begin() + static_cast<std::ptrdiff_t>(end) - 3,
+      before.begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  points.Set(after.data(), static_cast<unsigned int>(after.size()));
+  colours->UpdateVTKObjects();
+}
+
 // Red is worst.
 void prepareColours(const std::string& measure, vtkSMSessionProxyManager* proxies)
 {
@@ -55,7 +70,7 @@ void prepareColours(const std::string& measure, vtkSMSessionProxyManager* proxie
     vtkNew<vtkSMTransferFunctionManager>()->GetColorTransferFunction(measure.c_str(), proxies);
   if (isNew && isSmallWorse(measure))
   {
-    vtkSMTransferFunctionProxy::InvertTransferFunction(colours);
+    invert(colours);
   }
 }
 

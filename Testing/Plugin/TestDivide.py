@@ -141,7 +141,8 @@ assert fetched(simple.DividePolyhedra(Input=whole)).GetNumberOfCells() == 64
 simple.SaveData(str(folder / "case.foam"), header)
 case = simple.OpenFOAMReader(FileName=str(folder / "case.foam"), CaseType="Reconstructed Case")
 case.MeshRegions = ["internalMesh"]
-case.Decomposepolyhedra = 0
+if "Decomposepolyhedra" in case.ListProperties():  # before ParaView 5.13
+    case.Decomposepolyhedra = 0
 case.UpdatePipeline()
 read = simple.MergeBlocks(Input=case)
 divided = simple.DividePolyhedra(Input=read)

@@ -76,7 +76,7 @@ for measure, array in ("First Layer Height", "Layer"), ("Volume Fraction", "Volu
     assert error_code(plain) == 40006 and f"no array {array}:" in str(text), str(text)
 
 # Failing cells are those that fail, but not by tetrahedra alone; what is worst is told.
-TET_QUALITY = 4096
+TET_QUALITY = np.uint32(4096)
 failures = vtk_to_numpy(measured.GetCellData().GetArray("Failures"))
 assert (failures & TET_QUALITY).any()
 failing = output(quality, 2)
