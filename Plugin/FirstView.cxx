@@ -275,11 +275,9 @@ public:
     vtkSMSessionProxyManager* proxies = source->GetSessionProxyManager();
     for (const char* array : Arrays)
     {
-      vtkSMProxy* colours = proxies->GetProxy(ColoursGroup, nameOfColours(array).c_str());
-      const std::vector<Category> categories = categoriesOf(source, array);
-      if (colours && !categories.empty())
+      if (vtkSMProxy* colours = proxies->GetProxy(ColoursGroup, nameOfColours(array).c_str()))
       {
-        addCategories(colours, categories, sidesOf(source), array == Defects);
+        addCategories(colours, categoriesOf(source, array), sidesOf(source), array == Defects);
       }
     }
     if (vtkSMProperty* found = source->GetProperty("FoundBoundaries"))

@@ -117,7 +117,18 @@ for source in simple.DividePolyhedra(Input=raised), \
     values = vtk_to_numpy(data.GetPointData().GetArray("Elevation"))  # in single precision
     assert np.abs((places - low) @ (high - low) / ((high - low) @ (high - low)) - values).max() < 1e-6
 
-# Integrate Variables and Contour are exact after it.
+# So contours of them are sections, and a line finds all of its points.
+raised_parts = simple.DividePolyhedra(Input=raised)
+way = high - low
+level = float((np.array([75, 190, -130]) - low) @ way / (way @ way))
+contour = simple.Contour(Input=raised_parts, ContourBy=["POINTS", "Elevation"], Isosurfaces=[level])
+assert abs(areas(fetched(simple.Triangulate(Input=contour))).sum() / areas(sliced(header, low + level * way, way)).sum() - 1) < 1e-5
+line = fetched(simple.PlotOverLine(Input=raised_parts, Point1=[0.1, 3, 0.2], Point2=[0.3, 60, 0.4]))  # in a tube
+assert vtk_to_numpy(line.GetPointData().GetArray("vtkValidPointMask")).all()
+places, values = vtk_to_numpy(line.GetPoints().GetData()), vtk_to_numpy(line.GetPointData().GetArray("Elevation"))
+assert np.abs((places - low) @ way / (way @ way) - values).max() < 1e-6
+
+# Integrate Variables is exact after it.
 total = fetched(simple.IntegrateVariables(Input=simple.DividePolyhedra(Input=header)))
 assert abs(array(total, "Volume")[0] / volumes(header).sum() - 1) < 1e-9
 
