@@ -79,7 +79,7 @@ public:
     for (int i = 1; i <= solids.Extent(); ++i)
     {
       BRep_Builder().Add(all, solids(i));
-      made.push_back({ {}, names[static_cast<std::size_t>(i - 1)], history_.of(solids(i)) });
+      made.push_back({ {}, names[static_cast<std::size_t>(i - 1)], history_.of(solids(i)), {} });
     }
     // Points and lines inside a face, where another solid touches it: triangles around them are far off.
     BRepTools::RemoveInternals(all, Standard_True);

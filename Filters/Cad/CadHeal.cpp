@@ -123,10 +123,10 @@ std::vector<TopoDS_Shell> shellsOf(const TopoDS_Shape& shape)
 }
 
 // A solid of each closed shell; what stays open is one part.
-std::vector<CadPart> partsOf(const Sewn& sewn, const std::string& name)
+std::vector<CadPart> partsOf(const Sewn& sewn, const CadPart& former)
 {
   FaceHistory history;
-  history.add({ sewn.shape, name, sewn.faces });
+  history.add({ sewn.shape, former.name, sewn.faces, former.instance });
   std::vector<CadPart> parts;
   TopoDS_Compound open;
   BRep_Builder().MakeCompound(open);
@@ -135,7 +135,7 @@ std::vector<CadPart> partsOf(const Sewn& sewn, const std::string& name)
     if (freeEdges(shell).IsEmpty())
     {
       const TopoDS_Solid solid = solidOf(shell);
-      parts.push_back({ solid, name, history.of(solid) });
+      parts.push_back({ solid, former.name, history.of(solid), former.instance });
     }
     else
     {
@@ -144,7 +144,7 @@ std::vector<CadPart> partsOf(const Sewn& sewn, const std::string& name)
   }
   if (TopExp_Explorer(open, TopAbs_FACE).More())
   {
-    parts.push_back({ open, name, history.of(open) });
+    parts.push_back({ open, former.name, history.of(open), former.instance });
   }
   return parts;
 }
@@ -214,7 +214,7 @@ private:
         placeOf(part.shape, options_.unit) + ", free edges " + std::to_string(before) +
         " before, " + std::to_string(sewing.open) + " after.");
     }
-    return partsOf(sewing, part.name);
+    return partsOf(sewing, part);
   }
 
   bool hasTopology_;
