@@ -54,7 +54,7 @@ vtkCADReader::vtkCADReader()
 
 vtkCADReader::~vtkCADReader()
 {
-  this->SetFileName(nullptr);
+  delete[] this->FileName;
 }
 
 int vtkCADReader::FillOutputPortInformation(int /*port*/, vtkInformation* info)

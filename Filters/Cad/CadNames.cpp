@@ -154,6 +154,7 @@ CadBoundaries byFaces(const std::vector<CadPart>& parts)
 CadBoundaries byGroups(const std::vector<CadPart>& parts)
 {
   std::vector<std::vector<int>> groups;
+  groups.reserve(parts.size());
   for (const CadPart& part : parts)
   {
     groups.push_back(CadEdges(part.shape).tangentGroups(part.shape));
