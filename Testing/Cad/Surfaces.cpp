@@ -50,12 +50,12 @@ std::vector<TopoDS_Face> looseCube(int count, double gap)
   const gp_Pnt low = gp::Origin(), high(side, side, side);
   const gp_Dir x = gp::DX(), y = gp::DY(), z = gp::DZ();
   std::vector<TopoDS_Face> faces;
-  addSide(faces, high, y.Reversed(), x.Reversed(), side / count, count, gap); // z = 10 is first
+  addSide(faces, high, x.Reversed(), y.Reversed(), side / count, count, gap); // z = 10 is first
   addSide(faces, low, y, x, side / count, count, gap);
   addSide(faces, low, z, y, side / count, count, gap);
   addSide(faces, low, x, z, side / count, count, gap);
-  addSide(faces, high, z.Reversed(), y.Reversed(), side / count, count, gap);
-  addSide(faces, high, x.Reversed(), z.Reversed(), side / count, count, gap);
+  addSide(faces, high, y.Reversed(), z.Reversed(), side / count, count, gap);
+  addSide(faces, high, z.Reversed(), x.Reversed(), side / count, count, gap);
   return faces;
 }
 
@@ -80,10 +80,14 @@ void gaps(Folder& folder)
   folder.step("gaps.step", document, facts);
 }
 
-// They touch, but know nothing of each other.
+// They touch, but know nothing of each other, and half of them look inwards.
 void sixFaces(Folder& folder)
 {
-  const std::vector<TopoDS_Face> faces = looseCube(1, 0);
+  std::vector<TopoDS_Face> faces = looseCube(1, 0);
+  for (std::size_t i = 0; i < faces.size(); i += 2)
+  {
+    faces[i].Reverse();
+  }
   Facts facts;
   facts.area = 600;
   facts.faces = 6;
