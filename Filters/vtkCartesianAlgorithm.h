@@ -49,7 +49,8 @@ public:
     Stopped = 40009,       ///< by the user
     OutOfMemory = 40010,   ///< there was less memory than estimated
     BadMesh = 40011,       ///< cells to write overlap, are inverted, or too many
-    CannotWrite = 40012    ///< a file cannot be written
+    CannotWrite = 40012,   ///< a file cannot be written
+    CannotRead = 40013     ///< a file cannot be read
   };
 
   ///@{

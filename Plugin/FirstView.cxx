@@ -280,9 +280,12 @@ public:
         addCategories(colours, categoriesOf(source, array), sidesOf(source), array == Defects);
       }
     }
-    if (vtkSMProperty* found = source->GetProperty("FoundBoundaries"))
+    for (const char* told : { "FoundBoundaries", "FoundSolids", "Findings" })
     {
-      source->UpdatePropertyInformation(found);
+      if (vtkSMProperty* found = source->GetProperty(told))
+      {
+        source->UpdatePropertyInformation(found);
+      }
     }
   }
 };

@@ -6,6 +6,7 @@
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkStringArray.h"
 
 #include <set>
@@ -24,7 +25,25 @@ vtkStringArray* stringsOf(vtkFieldData* data, const std::string& name)
 class Legend
 {
 public:
-  void add(vtkDataSet* data)
+  void add(vtkDataObject* data)
+  {
+    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+    {
+      for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+      {
+        add(blocks->GetBlock(i));
+      }
+    }
+    else if (auto* single = vtkDataSet::SafeDownCast(data))
+    {
+      addArrays(single);
+    }
+  }
+
+  std::vector<std::string> entries;
+
+private:
+  void addArrays(vtkDataSet* data)
   {
     vtkCellData* cells = data->GetCellData();
     for (int a = 0; a < cells->GetNumberOfArrays(); ++a)
@@ -41,9 +60,6 @@ public:
     }
   }
 
-  std::vector<std::string> entries;
-
-private:
   void addValues(vtkStringArray* values, vtkStringArray* inOrder)
   {
     std::set<std::string> distinct;
@@ -84,10 +100,7 @@ std::vector<std::string> legendOf(const std::vector<vtkDataObject*>& outputs)
   Legend legend;
   for (vtkDataObject* output : outputs)
   {
-    if (auto* data = vtkDataSet::SafeDownCast(output))
-    {
-      legend.add(data);
-    }
+    legend.add(output);
   }
   return legend.entries;
 }

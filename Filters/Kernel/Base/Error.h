@@ -25,6 +25,7 @@ enum class Fault
   OutOfMemory = 10,
   BadMesh = 11,     // its cells overlap, are inside out, or are too many to write
   CannotWrite = 12, // a file cannot be written
+  CannotRead = 13,
 };
 
 // Formats a number for a message, with at most six significant digits.

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CadFile.h"
+
+#include "CadProgress.h"
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <IGESCAFControl_Reader.hxx>
+#include <Interface_Static.hxx>
+#include <Quantity_Color.hxx>
+#include <STEPCAFControl_Controller.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <TColStd_HSequenceOfExtendedString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TDF_Label.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_DataMapOfShapeInteger.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_LayerTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <optional>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Names of faces by the file, by what they share: faces of all instances of a part.
+using NamesByFace = std::map<const TopoDS_TShape*, std::string>;
+
+std::string toUtf8(const TCollection_ExtendedString& text)
+{
+  return TCollection_AsciiString(text).ToCString();
+}
+
+std::string nameOf(const TDF_Label& label)
+{
+  Handle(TDataStd_Name) name;
+  return label.FindAttribute(TDataStd_Name::GetID(), name) ? toUtf8(name->Get()) : "";
+}
+
+std::string hexadecimal(const Quantity_Color& color)
+{
+  return TCollection_AsciiString(Quantity_Color::ColorToHex(color, Standard_False)).ToCString();
+}
+
+// Collects the solids of an assembly, each instance by itself.
+class Assembly
+{
+public:
+  Assembly(const Handle(TDocStd_Document) & document, const NamesByFace& names)
+    : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main()))
+    , colors_(XCAFDoc_DocumentTool::ColorTool(document->Main()))
+    , layers_(XCAFDoc_DocumentTool::LayerTool(document->Main()))
+    , names_(names)
+  {
+  }
+
+  std::vector<CadPart> parts()
+  {
+    TDF_LabelSequence roots;
+    shapes_->GetFreeShapes(roots);
+    for (const TDF_Label& root : roots)
+    {
+      walk(root, TopLoc_Location(), "", {});
+    }
+    return std::move(parts_);
+  }
+
+private:
+  struct Style
+  {
+    std::string color;
+    std::string layer;
+  };
+
+  void walk(const TDF_Label& label, const TopLoc_Location& place, const std::string& instance,
+    const Style& outer)
+  {
+    Style style = styleOf(label);
+    style.color = outer.color.empty() ? style.color : outer.color;
+    style.layer = outer.layer.empty() ? style.layer : outer.layer;
+    if (XCAFDoc_ShapeTool::IsReference(label))
+    {
+      TDF_Label product;
+      XCAFDoc_ShapeTool::GetReferredShape(label, product);
+      walk(product, place * XCAFDoc_ShapeTool::GetLocation(label), nameOf(label), style);
+    }
+    else if (XCAFDoc_ShapeTool::IsAssembly(label))
+    {
+      TDF_LabelSequence components;
+      XCAFDoc_ShapeTool::GetComponents(label, components);
+      for (const TDF_Label& component : components)
+      {
+        walk(component, place, "", style);
+      }
+    }
+    else
+    {
+      addShape(label, place, instance, style);
+    }
+  }
+
+  // A product's own name is the better one: instances are often called by numbers.
+  void addShape(const TDF_Label& label, const TopLoc_Location& place, const std::string& instance,
+    const Style& style)
+  {
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+    const std::string product = nameOf(label).empty() ? instance : nameOf(label);
+    for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
+    {
+      const std::string own = nameOfSubshape(solid.Current());
+      addPart(solid.Current(), place, own.empty() ? product : own, style);
+    }
+    TopoDS_Compound loose;
+    BRep_Builder().MakeCompound(loose);
+    bool isLoose = false;
+    for (TopExp_Explorer face(shape, TopAbs_FACE, TopAbs_SOLID); face.More(); face.Next())
+    {
+      BRep_Builder().Add(loose, face.Current());
+      isLoose = true;
+    }
+    if (isLoose)
+    {
+      addPart(loose, place, product, style);
+    }
+  }
+
+  void addPart(const TopoDS_Shape& shape, const TopLoc_Location& place, const std::string& name,
+    const Style& outer)
+  {
+    CadPart part{ shape.Moved(place), name, {} };
+    const Style style = styleOfShape(shape, outer);
+    const TopTools_IndexedMapOfShape faces = facesOf(shape);
+    for (int i = 1; i <= faces.Extent(); ++i)
+    {
+      const Style own = styleOfFace(faces(i), style);
+      const auto named = names_.find(faces(i).TShape().get());
+      part.faces.push_back(
+        { named == names_.end() ? nameOfSubshape(faces(i)) : named->second, own.color, own.layer });
+    }
+    parts_.push_back(std::move(part));
+  }
+
+  std::string nameOfSubshape(const TopoDS_Shape& shape) const
+  {
+    TDF_Label label;
+    return shapes_->Search(shape, label, Standard_False, Standard_False, Standard_True)
+      ? nameOf(label)
+      : "";
+  }
+
+  Style styleOf(const TDF_Label& label) const
+  {
+    Style style;
+    Quantity_Color color;
+    for (const XCAFDoc_ColorType type : { XCAFDoc_ColorSurf, XCAFDoc_ColorGen })
+    {
+      if (style.color.empty() && colors_->GetColor(label, type, color))
+      {
+        style.color = hexadecimal(color);
+      }
+    }
+    Handle(TColStd_HSequenceOfExtendedString) layers;
+    if (layers_->GetLayers(label, layers) && layers->Length() > 0)
+    {
+      style.layer = toUtf8(layers->First());
+    }
+    return style;
+  }
+
+  Style styleOfShape(const TopoDS_Shape& shape, const Style& outer) const
+  {
+    TDF_Label label;
+    const Style own = shapes_->Search(shape, label, Standard_False, Standard_False, Standard_True)
+      ? styleOf(label)
+      : Style();
+    return { own.color.empty() ? outer.color : own.color,
+      own.layer.empty() ? outer.layer : own.layer };
+  }
+
+  // That of a shell is between those of a face and of a solid.
+  Style styleOfFace(const TopoDS_Shape& face, const Style& solid) const
+  {
+    return styleOfShape(face, solid);
+  }
+
+  Handle(XCAFDoc_ShapeTool) shapes_;
+  Handle(XCAFDoc_ColorTool) colors_;
+  Handle(XCAFDoc_LayerTool) layers_;
+  const NamesByFace& names_;
+  std::vector<CadPart> parts_;
+};
+
+// Of the file's entities: the reader's own way to get them (read.stepcaf.subshapes.name) crashes on some files.
+NamesByFace namesOfFaces(const Handle(XSControl_WorkSession) & session)
+{
+  NamesByFace names;
+  const Handle(Transfer_TransientProcess) process = session->TransferReader()->TransientProcess();
+  for (int i = 1; i <= process->NbMapped(); ++i)
+  {
+    const Handle(StepShape_FaceSurface) face =
+      Handle(StepShape_FaceSurface)::DownCast(process->Mapped(i));
+    if (face.IsNull() || face->Name().IsNull() || face->Name()->IsEmpty())
+    {
+      continue;
+    }
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, face);
+    for (TopExp_Explorer part(shape, TopAbs_FACE); part.More(); part.Next())
+    {
+      names[part.Current().TShape().get()] = face->Name()->ToCString();
+    }
+  }
+  return names;
+}
+
+Handle(TDocStd_Document) newDocument()
+{
+  return new TDocStd_Document("BinXCAF");
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why)
+{
+  throw CadError(path + " " + why + ".");
+}
+
+void checkRead(const std::string& path, IFSelect_ReturnStatus status, const std::string& format)
+{
+  if (status != IFSelect_RetDone)
+  {
+    refuse(path,
+      "cannot be read as " + format +
+        ": it is damaged, cut off, or of another format. Export it again");
+  }
+}
+
+CadFile readStep(const std::string& path, const CadReport& report)
+{
+  STEPCAFControl_Controller::Init(); // before any parameter
+  STEPCAFControl_Reader reader;
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 0);
+  reader.SetColorMode(Standard_True);
+  reader.SetNameMode(Standard_True);
+  reader.SetLayerMode(Standard_True);
+  checkRead(path, reader.ReadFile(path.c_str()), "STEP");
+  report.progress(0.3);
+  Handle(TDocStd_Document) document = newDocument();
+  const Handle(CadProgress) progress = new CadProgress(report, 0.3, 0.5);
+  if (!reader.Transfer(document, progress->Start()))
+  {
+    refuse(path, "has no shapes that can be made");
+  }
+  const NamesByFace names = namesOfFaces(reader.Reader().WS());
+  return { Assembly(document, names).parts(), true };
+}
+
+CadFile readIges(const std::string& path, const CadReport& report)
+{
+  STEPCAFControl_Controller::Init();
+  IGESCAFControl_Reader reader;
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  reader.SetColorMode(Standard_True);
+  reader.SetNameMode(Standard_True);
+  reader.SetLayerMode(Standard_True);
+  checkRead(path, reader.ReadFile(path.c_str()), "IGES");
+  report.progress(0.3);
+  Handle(TDocStd_Document) document = newDocument();
+  const Handle(CadProgress) progress = new CadProgress(report, 0.3, 0.5);
+  if (!reader.Transfer(document, progress->Start()))
+  {
+    refuse(path, "has no shapes that can be made");
+  }
+  return { Assembly(document, {}).parts(), false };
+}
+
+CadFile readBrep(const std::string& path)
+{
+  TopoDS_Shape shape;
+  BRep_Builder builder;
+  if (!BRepTools::Read(shape, path.c_str(), builder) || shape.IsNull())
+  {
+    refuse(path, "cannot be read as BREP: it is damaged, cut off, or of another format");
+  }
+  Handle(TDocStd_Document) document = newDocument();
+  XCAFDoc_DocumentTool::ShapeTool(document->Main())->AddShape(shape, Standard_False);
+  return { Assembly(document, {}).parts(), true };
+}
+
+// Faces that belong to no solid may belong together.
+void uniteLoose(std::vector<CadPart>& parts)
+{
+  std::vector<CadPart> united;
+  CadPart loose;
+  FaceHistory faces;
+  TopoDS_Compound all;
+  BRep_Builder().MakeCompound(all);
+  for (CadPart& part : parts)
+  {
+    if (part.shape.ShapeType() == TopAbs_SOLID)
+    {
+      united.push_back(std::move(part));
+      continue;
+    }
+    loose.name = loose.name.empty() ? part.name : loose.name;
+    faces.add(part);
+    for (TopExp_Explorer face(part.shape, TopAbs_FACE); face.More(); face.Next())
+    {
+      BRep_Builder().Add(all, face.Current());
+    }
+  }
+  if (TopExp_Explorer(all, TopAbs_FACE).More())
+  {
+    loose.shape = all;
+    loose.faces = faces.of(all);
+    united.push_back(std::move(loose));
+  }
+  parts = std::move(united);
+}
+
+}
+
+CadFile readCadFile(const std::string& given, const CadReport& report)
+{
+  // Files that this one refers to are sought beside it.
+  const std::string path = std::filesystem::absolute(given).string();
+  std::string suffix = std::filesystem::path(path).extension().string();
+  std::transform(
+    suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return std::tolower(c); });
+  CadFile file = suffix == ".igs" || suffix == ".iges" ? readIges(path, report)
+    : suffix == ".brep"                                ? readBrep(path)
+                                                       : readStep(path, report);
+  uniteLoose(file.parts);
+  const auto isEmpty = [](const CadPart& part) { return part.faces.empty(); };
+  file.parts.erase(std::remove_if(file.parts.begin(), file.parts.end(), isEmpty), file.parts.end());
+  if (file.parts.empty())
+  {
+    refuse(path,
+      "holds neither solids nor faces: drawings, wires and points enclose nothing. Export the part "
+      "as a solid");
+  }
+  return file;
+}
+
+}

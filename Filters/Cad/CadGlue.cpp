@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CadGlue.h"
+
+#include "CadProgress.h"
+
+#include <BOPAlgo_Builder.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include <map>
+#include <sstream>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// The general fuse of copies: instances share their faces, which would be moved together else.
+class Fuse
+{
+public:
+  Fuse(const std::vector<CadPart>& parts, const CadReport& report)
+    : report_(report)
+  {
+    fuse_.SetRunParallel(Standard_True);
+    for (const CadPart& part : parts)
+    {
+      copies_.push_back({ BRepBuilderAPI_Copy(part.shape).Shape(), part.name, part.faces });
+      fuse_.AddArgument(copies_.back().shape);
+    }
+  }
+
+  // False if Open CASCADE could not.
+  bool perform()
+  {
+    const Handle(CadProgress) progress = new CadProgress(report_, 0.5, 0.7);
+    fuse_.Perform(progress->Start());
+    return !fuse_.HasErrors();
+  }
+
+  std::string why() const
+  {
+    std::ostringstream text;
+    fuse_.DumpErrors(text);
+    return text.str();
+  }
+
+  // What the solids have become; a solid that several have in part has all their names.
+  std::vector<CadPart> parts()
+  {
+    followFaces();
+    TopTools_IndexedMapOfShape solids;
+    std::vector<std::string> names;
+    for (const CadPart& copy : copies_)
+    {
+      for (const TopoDS_Shape& solid : imagesOf(copy.shape))
+      {
+        if (const auto known = static_cast<std::size_t>(solids.FindIndex(solid)); known > 0)
+        {
+          names[known - 1] += "_and_" + copy.name;
+          continue;
+        }
+        solids.Add(solid);
+        names.push_back(copy.name);
+      }
+    }
+    std::vector<CadPart> made;
+    for (int i = 1; i <= solids.Extent(); ++i)
+    {
+      made.push_back({ solids(i), names[static_cast<std::size_t>(i - 1)], history_.of(solids(i)) });
+    }
+    return made;
+  }
+
+private:
+  void followFaces()
+  {
+    for (const CadPart& copy : copies_)
+    {
+      history_.add(copy);
+    }
+    for (const CadPart& copy : copies_)
+    {
+      for (TopExp_Explorer face(copy.shape, TopAbs_FACE); face.More(); face.Next())
+      {
+        for (const TopoDS_Shape& image : fuse_.Modified(face.Current()))
+        {
+          history_.follow(face.Current(), image);
+        }
+      }
+    }
+  }
+
+  std::vector<TopoDS_Shape> imagesOf(const TopoDS_Shape& solid)
+  {
+    const TopTools_ListOfShape& images = fuse_.Modified(solid);
+    if (images.IsEmpty())
+    {
+      return { solid };
+    }
+    return { images.begin(), images.end() };
+  }
+
+  const CadReport& report_;
+  BOPAlgo_Builder fuse_;
+  std::vector<CadPart> copies_;
+  FaceHistory history_;
+};
+
+}
+
+void glue(std::vector<CadPart>& parts, const CadOptions& options, const CadReport& report)
+{
+  std::vector<CadPart> solids;
+  std::vector<CadPart> sheets;
+  for (CadPart& part : parts)
+  {
+    (part.shape.ShapeType() == TopAbs_SOLID ? solids : sheets).push_back(part);
+  }
+  if (solids.size() < 2)
+  {
+    return;
+  }
+  Fuse fuse(solids, report);
+  if (!fuse.perform())
+  {
+    report.warning("The solids could not be glued (" + fuse.why() +
+      "): they stay apart. Correct the solids that overlap.");
+    return;
+  }
+  std::vector<CadPart> glued = fuse.parts();
+  for (const CadPart& part : glued)
+  {
+    if (part.name.find("_and_") != std::string::npos)
+    {
+      report.warning("Solids overlap at " + placeOf(part.shape, options.unit) +
+        ": what several of them hold is the solid " + part.name +
+        ". Correct the assembly if they should only touch.");
+    }
+  }
+  report.note("Glued: " + std::to_string(solids.size()) + " solids.");
+  glued.insert(glued.end(), sheets.begin(), sheets.end());
+  parts = std::move(glued);
+}
+
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which boundary each face is.
+#pragma once
+
+#include "CadOptions.h"
+#include "CadPart.h"
+
+#include <cstdint>
+
+namespace cartesian
+{
+
+struct CadBoundaries
+{
+  std::vector<std::string> names;                // by number
+  std::vector<std::vector<std::int32_t>> ofFace; // of each part, in order of facesOf()
+};
+
+// Gives solids of one name, or none, names that differ: bolt_1, bolt_2.
+void numberAlike(std::vector<CadPart>& parts);
+
+// Faces of one name in one part are one boundary; names that several parts have are numbered. Colours and layers are
+// boundaries of all parts together.
+CadBoundaries boundariesOf(
+  const std::vector<CadPart>& parts, CadNames from, const CadReport& report);
+
+}

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CadTriangles.h"
+
+#include "CadEdges.h"
+#include "CadProgress.h"
+#include "CadWeld.h"
+
+#include <BRepBndLib.hxx>
+#include <BRepGProp.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
+#include <IMeshTools_Parameters.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Without one that is asked for: of the longest side of all parts' box.
+constexpr double DeflectionOfSize = 1e-3;
+
+// A part with open edges or faces without triangles is tried again so often, each time with half the deflection.
+constexpr int MostTries = 3;
+
+TopoDS_Compound together(const std::vector<CadPart>& parts)
+{
+  TopoDS_Compound all;
+  BRep_Builder().MakeCompound(all);
+  for (const CadPart& part : parts)
+  {
+    BRep_Builder().Add(all, part.shape);
+  }
+  return all;
+}
+
+double longestSide(const TopoDS_Shape& shape)
+{
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
+  if (box.IsVoid())
+  {
+    return 0;
+  }
+  const gp_XYZ sides = box.CornerMax().XYZ() - box.CornerMin().XYZ();
+  return std::max({ sides.X(), sides.Y(), sides.Z() });
+}
+
+void mesh(
+  const TopoDS_Shape& shape, double deflection, double angle, const Message_ProgressRange& progress)
+{
+  IMeshTools_Parameters parameters;
+  parameters.Deflection = deflection;
+  parameters.Angle = angle * M_PI / 180;
+  parameters.InParallel = Standard_True;
+  // Without inner points it is four times as fast, and far off.
+  parameters.InternalVerticesMode = Standard_True;
+  BRepMesh_IncrementalMesh(shape, parameters, progress);
+}
+
+// Signed, of six times the tetrahedron to the origin.
+double determinant(const gp_XYZ& a, const gp_XYZ& b, const gp_XYZ& c)
+{
+  return a.Dot(b.Crossed(c));
+}
+
+class Triangulation
+{
+public:
+  Triangulation(
+    CadWeld& weld, const CadPart& part, const std::vector<std::int32_t>& boundary, double unit)
+    : weld_(weld)
+    , part_(part)
+    , unit_(unit)
+  {
+    solid_.name = part.name;
+    addFaces(boundary);
+    addLines(boundary);
+    solid_.openEdges = countOpen();
+    measure();
+  }
+
+  CadSolid& solid() { return solid_; }
+  int lacking() const { return lacking_; }
+
+private:
+  std::int64_t local(std::int64_t node)
+  {
+    const auto [place, isNew] = numbers_.emplace(node, static_cast<std::int64_t>(numbers_.size()));
+    if (isNew)
+    {
+      const gp_Pnt& point = weld_.points()[static_cast<std::size_t>(node)];
+      for (const double x : { point.X(), point.Y(), point.Z() })
+      {
+        solid_.points.push_back(x / unit_);
+      }
+    }
+    return place->second;
+  }
+
+  void addFaces(const std::vector<std::int32_t>& boundary)
+  {
+    const TopTools_IndexedMapOfShape faces = facesOf(part_.shape);
+    for (int i = 1; i <= faces.Extent(); ++i)
+    {
+      addFace(TopoDS::Face(faces(i)), boundary[static_cast<std::size_t>(i - 1)]);
+    }
+  }
+
+  void addFace(const TopoDS_Face& face, std::int32_t boundary)
+  {
+    TopLoc_Location place;
+    const Handle(Poly_Triangulation) triangles = BRep_Tool::Triangulation(face, place);
+    const std::vector<std::int64_t> nodes = weld_.nodesOf(face);
+    lacking_ += nodes.empty() || triangles->NbTriangles() == 0;
+    const bool isTurned =
+      (face.Orientation() == TopAbs_REVERSED) != place.Transformation().IsNegative();
+    for (int t = 1; !nodes.empty() && t <= triangles->NbTriangles(); ++t)
+    {
+      std::array<int, 3> corners;
+      triangles->Triangle(t).Get(corners[0], corners[1], corners[2]);
+      if (isTurned)
+      {
+        std::swap(corners[1], corners[2]);
+      }
+      std::array<std::int64_t, 3> of;
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        of[c] = nodes[static_cast<std::size_t>(corners[c] - 1)];
+      }
+      if (of[0] == of[1] || of[1] == of[2] || of[2] == of[0])
+      {
+        continue; // at a pole
+      }
+      for (const std::int64_t node : of)
+      {
+        solid_.triangles.push_back(local(node));
+      }
+      solid_.boundary.push_back(boundary);
+    }
+  }
+
+  void addLines(const std::vector<std::int32_t>& boundary)
+  {
+    const CadEdges edges(part_.shape);
+    const TopTools_IndexedMapOfShape faces = facesOf(part_.shape);
+    TopTools_IndexedMapOfShape known;
+    for (int i = 1; i <= faces.Extent(); ++i)
+    {
+      for (TopExp_Explorer edge(faces(i), TopAbs_EDGE); edge.More(); edge.Next())
+      {
+        const int before = known.Extent();
+        if (known.Add(edge.Current()) > before)
+        {
+          addLine(edges, edge.Current(), boundary[static_cast<std::size_t>(i - 1)]);
+        }
+      }
+    }
+  }
+
+  void addLine(const CadEdges& edges, const TopoDS_Shape& edge, std::int32_t boundary)
+  {
+    const CadWeld::Line* const line = weld_.lineOf(edge);
+    for (std::size_t i = 0; line && i + 1 < line->points.size(); ++i)
+    {
+      if (line->points[i] != line->points[i + 1] &&
+        edges.isSharpAt(edge, (line->parameters[i] + line->parameters[i + 1]) / 2))
+      {
+        solid_.lines.push_back(local(line->points[i]));
+        solid_.lines.push_back(local(line->points[i + 1]));
+        solid_.boundaryOfLine.push_back(boundary);
+      }
+    }
+  }
+
+  // Edges that triangles do not pass alike in both directions.
+  std::int32_t countOpen() const
+  {
+    std::vector<std::pair<std::int64_t, std::int64_t>> uses;
+    std::vector<std::int64_t> const& t = solid_.triangles;
+    for (std::size_t i = 0; i < t.size(); ++i)
+    {
+      const std::int64_t a = t[i];
+      const std::int64_t b = t[i % 3 == 2 ? i - 2 : i + 1];
+      uses.emplace_back(2 * std::min(a, b) + (a > b), std::max(a, b));
+    }
+    const auto edgeOf = [](const auto& use) { return std::make_pair(use.first / 2, use.second); };
+    std::sort(uses.begin(), uses.end(),
+      [&](const auto& a, const auto& b) { return edgeOf(a) < edgeOf(b); });
+    std::int32_t open = 0;
+    for (std::size_t i = 0; i < uses.size();)
+    {
+      int sum = 0;
+      const auto edge = edgeOf(uses[i]);
+      for (; i < uses.size() && edgeOf(uses[i]) == edge; ++i)
+      {
+        sum += uses[i].first % 2 == 0 ? 1 : -1;
+      }
+      open += sum != 0;
+    }
+    return open;
+  }
+
+  void measure()
+  {
+    for (std::size_t i = 0; i < solid_.triangles.size(); i += 3)
+    {
+      const auto at = [&](std::size_t c) {
+        const double* p = solid_.points.data() + 3 * solid_.triangles[i + c];
+        return gp_XYZ(p[0], p[1], p[2]);
+      };
+      const gp_XYZ origin(solid_.points[0], solid_.points[1], solid_.points[2]);
+      solid_.volumeOfTriangles += determinant(at(0) - origin, at(1) - origin, at(2) - origin) / 6;
+    }
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(part_.shape, properties);
+    solid_.area = properties.Mass() / (unit_ * unit_);
+    if (part_.shape.ShapeType() == TopAbs_SOLID)
+    {
+      GProp_GProps inside;
+      BRepGProp::VolumeProperties(part_.shape, inside);
+      solid_.volume = inside.Mass() / (unit_ * unit_ * unit_);
+    }
+  }
+
+  CadWeld& weld_;
+  const CadPart& part_;
+  double unit_;
+  CadSolid solid_;
+  std::unordered_map<std::int64_t, std::int64_t> numbers_; // of points, in this solid
+  int lacking_ = 0;                                        // faces without triangles
+};
+
+}
+
+std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,
+  const CadBoundaries& boundaries, const CadOptions& options, const CadReport& report)
+{
+  const TopoDS_Compound all = together(parts);
+  BRepTools::Clean(all); // triangles that came with the file
+  const double wanted = options.deflection > 0 ? options.deflection * options.unit
+                                               : DeflectionOfSize * longestSide(all);
+  if (!(wanted > 0))
+  {
+    throw CadError("The shapes have no extent: export the part again.");
+  }
+  std::vector<CadSolid> solids(parts.size());
+  const Handle(CadProgress) progress = new CadProgress(report, 0.7, 0.9);
+  mesh(all, wanted, options.angle, progress->Start());
+  CadWeld weld;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    Triangulation triangulation(weld, parts[p], boundaries.ofFace[p], options.unit);
+    solids[p] = std::move(triangulation.solid());
+    report.progress(0.9 + 0.1 * double(p) / double(parts.size()));
+  }
+  return solids;
+}
+
+}

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// read-cad FILE UNIT DEFLECTION ANGLE NAMES HEAL GLUE MERGE: reads a CAD file for vtkCADReader, and writes records (Stream.h)
+// to its standard output. A process of its own, as Open CASCADE crashes on some damaged files and takes for ever with
+// others.
+#include "CadFile.h"
+#include "CadGlue.h"
+#include "CadHeal.h"
+#include "CadMerge.h"
+#include "CadNames.h"
+#include "CadTriangles.h"
+
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
+#include <Standard_Failure.hxx>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace
+{
+
+using namespace cartesian;
+
+// Writes records. What Open CASCADE prints goes nowhere.
+class Output
+{
+public:
+  Output()
+    : file_(fdopen(dup(STDOUT_FILENO), "wb"))
+  {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDOUT_FILENO);
+    Message::DefaultMessenger()->ChangePrinters().Clear();
+  }
+
+  void write(Record record, const std::vector<char>& bytes)
+  {
+    const std::uint64_t size = bytes.size();
+    const char letter = static_cast<char>(record);
+    const bool isWritten = std::fwrite(&letter, 1, 1, file_) == 1 &&
+      std::fwrite(&size, sizeof size, 1, file_) == 1 &&
+      std::fwrite(bytes.data(), 1, bytes.size(), file_) == bytes.size() && std::fflush(file_) == 0;
+    if (!isWritten)
+    {
+      std::_Exit(EXIT_FAILURE); // nobody reads any more
+    }
+  }
+
+  template <typename T>
+  void write(Record record, const T& value)
+  {
+    Packer packer;
+    packer.add(value);
+    write(record, packer.bytes());
+  }
+
+private:
+  std::FILE* file_;
+};
+
+CadOptions optionsFrom(char** words)
+{
+  CadOptions options;
+  options.unit = std::atof(words[0]);
+  options.deflection = std::atof(words[1]);
+  options.angle = std::atof(words[2]);
+  options.names = static_cast<CadNames>(std::atoi(words[3]));
+  options.healTolerance = std::atof(words[4]);
+  options.gluesSolids = std::atoi(words[5]) != 0;
+  options.mergesCoplanar = std::atoi(words[6]) != 0;
+  return options;
+}
+
+void read(const std::string& path, const CadOptions& options, Output& output)
+{
+  CadReport report;
+  report.progress = [&](double done) { output.write(Record::Progress, done); };
+  report.note = [&](const std::string& text) { output.write(Record::Note, text); };
+  report.warning = [&](const std::string& text) { output.write(Record::Warning, text); };
+
+  CadFile file = readCadFile(path, report);
+  heal(file, options, report);
+  if (options.mergesCoplanar)
+  {
+    mergeCoplanar(file.parts, report);
+  }
+  numberAlike(file.parts);
+  if (options.gluesSolids)
+  {
+    glue(file.parts, options, report);
+    numberAlike(file.parts);
+  }
+  const CadBoundaries boundaries = boundariesOf(file.parts, options.names, report);
+  output.write(Record::Names, boundaries.names);
+  for (CadSolid& solid : triangulate(file.parts, boundaries, options, report))
+  {
+    Packer packer;
+    solid.visit([&](const auto& value) { packer.add(value); });
+    output.write(Record::Solid, packer.bytes());
+  }
+  output.write(Record::End, std::vector<char>());
+}
+
+}
+
+int main(int count, char** words)
+{
+  if (count != 9)
+  {
+    std::fputs("read-cad is started by the CAD Reader of CartesianMesher.\n", stderr);
+    return EXIT_FAILURE;
+  }
+  Output output;
+  try
+  {
+    read(words[1], optionsFrom(words + 2), output);
+    return EXIT_SUCCESS;
+  }
+  catch (const CadError& error)
+  {
+    output.write(Record::Error, std::string(error.what()));
+  }
+  catch (const Standard_Failure& failure)
+  {
+    output.write(Record::Error,
+      std::string(words[1]) + " cannot be read: Open CASCADE gives up (" +
+        failure.DynamicType()->Name() + ", " + failure.GetMessageString() +
+        "). Export the part again, or in another format.");
+  }
+  catch (const std::bad_alloc&)
+  {
+    output.write(Record::Error,
+      std::string(words[1]) + " needs more memory than there is: choose a larger Deflection.");
+  }
+  catch (const std::exception& error)
+  {
+    output.write(Record::Error, std::string(words[1]) + " cannot be read: " + error.what() + ".");
+  }
+  // Destructors of what is damaged may crash.
+  std::_Exit(EXIT_FAILURE);
+}
