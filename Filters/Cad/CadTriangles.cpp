@@ -255,20 +255,23 @@ std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,
 {
   const TopoDS_Compound all = together(parts);
   BRepTools::Clean(all); // triangles that came with the file
-  const double wanted = options.deflection > 0 ? options.deflection * options.unit
-                                               : DeflectionOfSize * longestSide(all);
-  if (!(wanted > 0))
+  // In the unit of the result: given back as an option, it makes the same triangles, bit for bit.
+  const double deflection = options.deflection > 0
+    ? options.deflection
+    : DeflectionOfSize * longestSide(all) / options.unit;
+  if (!(deflection > 0))
   {
     throw CadError("The shapes have no extent: export the part again.");
   }
   std::vector<CadSolid> solids(parts.size());
   const Handle(CadProgress) progress = new CadProgress(report, 0.7, 0.9);
-  mesh(all, wanted, options.angle, progress->Start());
+  mesh(all, deflection * options.unit, options.angle, progress->Start());
   CadWeld weld;
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
     Triangulation triangulation(weld, parts[p], boundaries.ofFace[p], options.unit);
     solids[p] = std::move(triangulation.solid());
+    solids[p].deflection = deflection;
     report.progress(0.9 + 0.1 * double(p) / double(parts.size()));
   }
   return solids;

@@ -211,13 +211,14 @@ SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundary
   }
 }
 
-// A block is a boundary of its name; of a region, its own boundaries come first.
+// A block is a boundary of its name; of a region or a solid, its own boundaries come first.
 void SurfaceFromVTK::readBoundaryOfBlock(
   const SurfaceBlock& block, std::ptrdiff_t number, RegionSource regionsFrom)
 {
   const std::string name =
     block.name.empty() ? "block_" + std::to_string(number) : withoutSuffix(block.name);
-  if (regionsFrom == RegionSource::Blocks)
+  if (regionsFrom == RegionSource::Blocks ||
+    block.surface->GetFieldData()->HasArray(SolidNameField))
   {
     readBoundariesByName(block.surface, name);
   }

@@ -27,6 +27,13 @@ constexpr const char* StlSolids = "STLSolidLabeling";
 // The array in which vtkNamedOBJReader, and outputs of this module, number boundaries.
 constexpr const char* BoundaryIdArray = "BoundaryId";
 
+// The cell array of surfaces that know their sharp edges, as CAD systems do: not 0 on lines that are such edges, 0 on other
+// lines. On polygons 0, or not 0 if the edges of this one are not known.
+constexpr const char* SharpEdgeArray = "SharpEdge";
+
+// Field data of a block that is a solid: its name (string). It has boundaries of its own (BoundaryIdArray).
+constexpr const char* SolidNameField = "SolidName";
+
 // The boundary array that means the same as none: what the surface has is found out.
 constexpr const char* AutomaticBoundaries = "Automatic";
 
@@ -38,7 +45,8 @@ class SurfaceFromVTK
 public:
   // `boundaryArray`: cell array that numbers or names the boundaries. Equal strings are one boundary,
   // numbered from 0 in the order in which they first appear. Empty or AutomaticBoundaries: each block is a
-  // boundary with the name of the block, without the suffix of a file; without blocks StlSolids or
+  // boundary with the name of the block, without the suffix of a file, unless it is a solid (SolidNameField) with named
+  // boundaries of its own, of which those with one name are one over all blocks; without blocks StlSolids or
   // BoundaryIdArray if present, else all 0.
   // Throws Error: EmptySurface, MissingArray, BadParameter.
   //
