@@ -233,6 +233,7 @@ NamesByFace namesOfFaces(const Handle(XSControl_WorkSession) & session)
 
 Handle(TDocStd_Document) newDocument()
 {
+  XCAFDoc_ShapeTool::SetAutoNaming(Standard_False); // "COMPOUND" is no name
   return new TDocStd_Document("BinXCAF");
 }
 

@@ -5,8 +5,12 @@
 
 #include <BOPAlgo_Builder.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
 
 #include <map>
 #include <sstream>
@@ -66,10 +70,21 @@ public:
         names.push_back(copy.name);
       }
     }
+    TopoDS_Compound all;
+    BRep_Builder().MakeCompound(all);
     std::vector<CadPart> made;
     for (int i = 1; i <= solids.Extent(); ++i)
     {
-      made.push_back({ solids(i), names[static_cast<std::size_t>(i - 1)], history_.of(solids(i)) });
+      BRep_Builder().Add(all, solids(i));
+      made.push_back({ {}, names[static_cast<std::size_t>(i - 1)], history_.of(solids(i)) });
+    }
+    // Points and lines inside a face, where another solid touches it: triangles around them are far off.
+    BRepTools::RemoveInternals(all, Standard_True);
+    TopoDS_Iterator clean(all);
+    for (CadPart& part : made)
+    {
+      part.shape = clean.Value();
+      clean.Next();
     }
     return made;
   }

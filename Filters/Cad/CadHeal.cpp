@@ -24,9 +24,11 @@ namespace cartesian
 namespace
 {
 
-// Of the size: gaps up to these are sewn in files whose faces do not know their neighbours, the smallest that leaves
-// no edge free.
-constexpr std::array<double, 4> GapsOfFaces{ 1e-7, 1e-6, 1e-5, 1e-4 };
+// Of the size. Neighbours are found by sewing, even where nothing is to be healed.
+constexpr double NoGap = 1e-7;
+
+// Gaps up to these are sewn in files whose faces do not know their neighbours, the smallest that leaves no edge free.
+constexpr std::array<double, 4> GapsOfFaces{ NoGap, 1e-6, 1e-5, 1e-4 };
 
 double sizeOf(const TopoDS_Shape& shape)
 {
@@ -65,27 +67,27 @@ Sewn sew(const CadPart& part, double tolerance)
   return { shape, history.of(shape), freeEdges(shape).Extent() };
 }
 
-Sewn sewAsNeeded(const CadPart& part, const CadOptions& options)
+Sewn sewAsNeeded(const CadPart& part, bool hasTopology, const CadOptions& options)
 {
   if (options.healTolerance > 0)
   {
     return sew(part, options.healTolerance * options.unit);
   }
   const double size = sizeOf(part.shape);
-  std::optional<Sewn> best;
+  Sewn best = sew(part, NoGap * size);
   for (const double gap : GapsOfFaces)
   {
-    Sewn sewn = sew(part, gap * size);
-    if (!sewn.shape.IsNull() && (!best || sewn.open < best->open))
-    {
-      best = std::move(sewn);
-    }
-    if (best && best->open == 0)
+    if (best.open == 0 || hasTopology)
     {
       break;
     }
+    Sewn sewn = sew(part, gap * size);
+    if (sewn.open < best.open)
+    {
+      best = std::move(sewn);
+    }
   }
-  return best ? *best : Sewn{ part.shape, part.faces, freeEdges(part.shape).Extent() };
+  return best;
 }
 
 // A part of its own for each closed shell, which is a solid then; one for all that stays open.
@@ -129,15 +131,19 @@ void heal(CadFile& file, const CadOptions& options, const CadReport& report)
   for (CadPart& part : file.parts)
   {
     const int before = freeEdges(part.shape).Extent();
-    if (before == 0 || (options.healTolerance <= 0 && file.hasTopology))
+    const bool isSolid = part.shape.ShapeType() == TopAbs_SOLID;
+    if (isSolid && (before == 0 || (options.healTolerance <= 0 && file.hasTopology)))
     {
       healed.push_back(std::move(part));
       continue;
     }
-    const Sewn sewn = sewAsNeeded(part, options);
-    report.note("Sewn: " + (part.name.empty() ? "faces" : part.name) + " at " +
-      placeOf(part.shape, options.unit) + ", free edges " + std::to_string(before) + " before, " +
-      std::to_string(sewn.open) + " after.");
+    const Sewn sewn = sewAsNeeded(part, file.hasTopology, options);
+    if (sewn.open < before)
+    {
+      report.note("Sewn: " + (part.name.empty() ? "faces" : part.name) + " at " +
+        placeOf(part.shape, options.unit) + ", free edges " + std::to_string(before) + " before, " +
+        std::to_string(sewn.open) + " after.");
+    }
     for (CadPart& made : partsOf(sewn, part.name))
     {
       healed.push_back(std::move(made));

@@ -8,7 +8,7 @@
 namespace cartesian
 {
 
-// Changes parts with free edges only: with Heal Tolerance, or where the file says nothing about neighbours.
+// Solids with free edges are changed only with Heal Tolerance, or if the file says nothing about neighbours.
 void heal(CadFile& file, const CadOptions& options, const CadReport& report);
 
 }

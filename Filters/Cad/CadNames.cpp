@@ -21,6 +21,9 @@ bool isNone(const std::string& name)
   return name.empty() || name == "NONE" || name == "None" || name == "none";
 }
 
+// What Open CASCADE calls a product without a name.
+constexpr const char* NameByTranslator = "Open CASCADE STEP translator";
+
 // F1, F2 and the like, by which I-DEAS and others count faces.
 bool isCounter(const std::string& name)
 {
@@ -163,12 +166,13 @@ CadBoundaries byGroups(const std::vector<CadPart>& parts)
 
 }
 
-void numberAlike(std::vector<CadPart>& parts)
+void numberAlike(std::vector<CadPart>& parts, const std::string& other)
 {
   std::map<std::string, int> count;
   for (CadPart& part : parts)
   {
-    part.name = part.name.empty() ? "solid" : part.name;
+    const bool isNamed = !part.name.empty() && part.name.rfind(NameByTranslator, 0) != 0;
+    part.name = isNamed ? part.name : other;
     ++count[part.name];
   }
   std::map<std::string, int> number;

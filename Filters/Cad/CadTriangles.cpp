@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -75,6 +76,13 @@ void mesh(
   BRepMesh_IncrementalMesh(shape, parameters, progress);
 }
 
+std::string numberText(double x)
+{
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.6g", x);
+  return text.data();
+}
+
 // Signed, of six times the tetrahedron to the origin.
 double determinant(const gp_XYZ& a, const gp_XYZ& b, const gp_XYZ& c)
 {
@@ -94,7 +102,10 @@ public:
     addFaces(boundary);
     addLines(boundary);
     solid_.openEdges = countOpen();
-    measure();
+    if (!solid_.points.empty())
+    {
+      measure();
+    }
   }
 
   CadSolid& solid() { return solid_; }
@@ -248,30 +259,95 @@ private:
   int lacking_ = 0;                                        // faces without triangles
 };
 
+// Triangles of all parts.
+struct Attempt
+{
+  std::vector<CadSolid> solids;
+  double deflection = 0; // in the unit of the result
+  // Faces without triangles, edges that are open though those of the shapes are not, wrong volumes.
+  int flaws = 0;
+};
+
+// Whether triangles enclose as much as a closed shape, except for what they may cut off.
+bool enclosesAll(const CadSolid& solid, double deflection)
+{
+  return std::abs(solid.volumeOfTriangles - solid.volume) <= 2 * solid.area * deflection;
+}
+
+// `deflection`: in the unit of the result.
+Attempt weldAll(const std::vector<CadPart>& parts, const CadBoundaries& boundaries,
+  const CadOptions& options, double deflection)
+{
+  Attempt attempt;
+  attempt.deflection = deflection;
+  CadWeld weld;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    Triangulation triangulation(weld, parts[p], boundaries.ofFace[p], options.unit);
+    const bool isClosed = freeEdges(parts[p].shape).IsEmpty();
+    attempt.flaws += triangulation.lacking() + (isClosed ? triangulation.solid().openEdges : 0) +
+      (isClosed && !enclosesAll(triangulation.solid(), deflection));
+    attempt.solids.push_back(std::move(triangulation.solid()));
+  }
+  return attempt;
+}
+
+// What the user must know of a part.
+void tell(const CadPart& part, const CadSolid& solid, double deflection, const CadOptions& options,
+  const CadReport& report)
+{
+  const std::string where = solid.name + " at " + placeOf(part.shape, options.unit);
+  const int free = freeEdges(part.shape).Extent();
+  if (free > 0)
+  {
+    report.warning(where + " is open: " + std::to_string(free) +
+      " edges bound one face only, so it encloses nothing. Set a Heal Tolerance if these are gaps, "
+      "or export "
+      "the part as a solid.");
+  }
+  else if (solid.openEdges > 0)
+  {
+    report.warning(where +
+      " is closed, but its triangles are not: " + std::to_string(solid.openEdges) +
+      " of their edges are open. Choose a smaller Deflection, or export the part again.");
+  }
+  if (free == 0 && !enclosesAll(solid, deflection))
+  {
+    report.warning("The triangles of " + where + " enclose " + numberText(solid.volumeOfTriangles) +
+      ", the exact shape " + numberText(solid.volume) +
+      ": a face is wrong. Choose a smaller Deflection, or export the part again.");
+  }
+}
+
 }
 
 std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,
   const CadBoundaries& boundaries, const CadOptions& options, const CadReport& report)
 {
   const TopoDS_Compound all = together(parts);
-  BRepTools::Clean(all); // triangles that came with the file
-  const double wanted = options.deflection > 0 ? options.deflection * options.unit
-                                               : DeflectionOfSize * longestSide(all);
-  if (!(wanted > 0))
+  double deflection = options.deflection > 0 ? options.deflection * options.unit
+                                             : DeflectionOfSize * longestSide(all);
+  if (!(deflection > 0))
   {
     throw CadError("The shapes have no extent: export the part again.");
   }
-  std::vector<CadSolid> solids(parts.size());
-  const Handle(CadProgress) progress = new CadProgress(report, 0.7, 0.9);
-  mesh(all, wanted, options.angle, progress->Start());
-  CadWeld weld;
+  Attempt best;
+  for (int i = 0; i < MostTries && (i == 0 || best.flaws > 0); ++i, deflection /= 2)
+  {
+    BRepTools::Clean(all); // of triangles that came with the file, or were made before
+    const Handle(CadProgress) progress = new CadProgress(report, 0.7, 0.95);
+    mesh(all, deflection, options.angle, progress->Start());
+    Attempt attempt = weldAll(parts, boundaries, options, deflection / options.unit);
+    if (i == 0 || attempt.flaws < best.flaws)
+    {
+      best = std::move(attempt);
+    }
+  }
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
-    Triangulation triangulation(weld, parts[p], boundaries.ofFace[p], options.unit);
-    solids[p] = std::move(triangulation.solid());
-    report.progress(0.9 + 0.1 * double(p) / double(parts.size()));
+    tell(parts[p], best.solids[p], best.deflection, options, report);
   }
-  return solids;
+  return std::move(best.solids);
 }
 
 }

@@ -18,6 +18,7 @@
 #include <cstdlib>
 #include <exception>
 #include <fcntl.h>
+#include <filesystem>
 #include <unistd.h>
 
 namespace
@@ -88,11 +89,12 @@ void read(const std::string& path, const CadOptions& options, Output& output)
   {
     mergeCoplanar(file.parts, report);
   }
-  numberAlike(file.parts);
+  const std::string name = std::filesystem::path(path).stem().string();
+  numberAlike(file.parts, name);
   if (options.gluesSolids)
   {
     glue(file.parts, options, report);
-    numberAlike(file.parts);
+    numberAlike(file.parts, name);
   }
   const CadBoundaries boundaries = boundariesOf(file.parts, options.names, report);
   output.write(Record::Names, boundaries.names);
