@@ -10,6 +10,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkStringArray.h"
 
+#include "vtksys/SystemTools.hxx"
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -27,6 +29,15 @@ std::string Word(double value)
   std::array<char, 32> text;
   std::snprintf(text.data(), text.size(), "%.17g", value);
   return text.data();
+}
+
+// In per cent; what floating point leaves is none.
+std::string Difference(double ratio)
+{
+  constexpr double Noise = 1e-9;
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%+.3g %%", 100 * ratio);
+  return std::abs(ratio) < Noise ? "0 %" : text.data();
 }
 
 [[noreturn]] void Refuse(const std::string& property, double value, const std::string& range)
@@ -89,6 +100,11 @@ void vtkCADReader::Check() const
     throw cartesian::Error(
       cartesian::Fault::BadParameter, "File Name is empty: choose a STEP, IGES or BREP file.");
   }
+  if (!vtksys::SystemTools::FileExists(this->FileName, true))
+  {
+    throw cartesian::Error(cartesian::Fault::CannotRead,
+      std::string(this->FileName) + " does not exist: choose a STEP, IGES or BREP file.");
+  }
 }
 
 std::vector<std::string> vtkCADReader::Arguments() const
@@ -102,12 +118,18 @@ std::vector<std::string> vtkCADReader::Arguments() const
 int vtkCADReader::RequestData(
   vtkInformation* request, vtkInformationVector** /*input*/, vtkInformationVector* output)
 {
-  this->FoundSolids->Reset();
-  this->Findings->Reset();
   if (IsLeftToFirstProcess(request, output))
   {
     return 1;
   }
+  vtkMultiBlockDataSet* const blocks = vtkMultiBlockDataSet::GetData(output);
+  if (this->TimeOfRead > this->GetMTime())
+  {
+    blocks->ShallowCopy(this->Read);
+    return 1;
+  }
+  this->FoundSolids->Reset();
+  this->Findings->Reset();
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     this->Check();
     execution.stage("Reading the CAD file", 0, 1);
@@ -117,8 +139,10 @@ int vtkCADReader::RequestData(
     {
       this->Warn(warning);
     }
-    cartesian::cadBlocks(content, vtkMultiBlockDataSet::GetData(output));
+    cartesian::cadBlocks(content, blocks);
     this->Describe(content);
+    this->Read->ShallowCopy(blocks);
+    this->TimeOfRead.Modified();
   });
   return 1;
 }
@@ -137,12 +161,10 @@ void vtkCADReader::Describe(const cartesian::CadContent& content)
   for (const cartesian::CadSolid& solid : content.solids)
   {
     const bool isSolid = solid.volume != 0;
-    std::array<char, 32> off;
-    std::snprintf(off.data(), off.size(), "%+.3g %%",
-      isSolid ? 100 * (solid.volumeOfTriangles / solid.volume - 1) : 0);
     this->FoundSolids->InsertNextValue(solid.name);
     this->FoundSolids->InsertNextValue(isSolid ? cartesian::number(solid.volume) : "open");
-    this->FoundSolids->InsertNextValue(isSolid ? off.data() : "");
+    this->FoundSolids->InsertNextValue(
+      isSolid ? Difference(solid.volumeOfTriangles / solid.volume - 1) : "");
     this->FoundSolids->InsertNextValue(cartesian::number(solid.area));
     this->FoundSolids->InsertNextValue(std::to_string(solid.triangles.size() / 3));
     this->FoundSolids->InsertNextValue(std::to_string(solid.openEdges));

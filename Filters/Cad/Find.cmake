@@ -1,5 +1,6 @@
 # CARTESIANMESHER_CAD: whether CAD files are read. Without read-cad, CAD Reader says what to install.
 find_package(OpenCASCADE QUIET) # no version: it takes its own only
+set_property(DIRECTORY PROPERTY COMPILE_DEFINITIONS "") # HAVE_TBB and others, which it defines for all that follows
 option(CARTESIANMESHER_CAD "Build the program that reads CAD files: needs Open CASCADE" ${OpenCASCADE_FOUND})
 
 set(cad_packages "Open CASCADE's development files (Debian: libocct-data-exchange-dev, libtbb-dev, libfontconfig-dev)")

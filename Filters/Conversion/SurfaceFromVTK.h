@@ -27,18 +27,29 @@ constexpr const char* StlSolids = "STLSolidLabeling";
 // The array in which vtkNamedOBJReader, and outputs of this module, number boundaries.
 constexpr const char* BoundaryIdArray = "BoundaryId";
 
+// The cell array of surfaces that know their sharp edges, as CAD systems do: not 0 on lines that are such edges, 0 on other
+// lines. On polygons 0, or not 0 if the edges of this one are not known.
+constexpr const char* SharpEdgeArray = "SharpEdge";
+
+// Field data of a block that is a solid: its name (string). It has boundaries of its own (BoundaryIdArray).
+constexpr const char* SolidNameField = "SolidName";
+
 // The boundary array that means the same as none: what the surface has is found out.
 constexpr const char* AutomaticBoundaries = "Automatic";
 
 // Copies the triangles of a vtkPolyData, or of all those in a vtkMultiBlockDataSet, vtkPartitionedDataSet or
 // vtkPartitionedDataSetCollection. Polygons with more corners are triangulated; verts, lines, and cells that
 // vtkGhostType hides are left out. Cells are numbered continuously over all blocks.
+//
+// In a block with SharpEdgeArray, sharp edges are known: those between two points that a marked line joins, no others,
+// whatever their angle. Points with equal coordinates count as one; lines that are no edges of polygons are ignored.
 class SurfaceFromVTK
 {
 public:
   // `boundaryArray`: cell array that numbers or names the boundaries. Equal strings are one boundary,
   // numbered from 0 in the order in which they first appear. Empty or AutomaticBoundaries: each block is a
-  // boundary with the name of the block, without the suffix of a file; without blocks StlSolids or
+  // boundary with the name of the block, without the suffix of a file, unless it is a solid (SolidNameField) with named
+  // boundaries of its own, of which those with one name are one over all blocks; without blocks StlSolids or
   // BoundaryIdArray if present, else all 0.
   // Throws Error: EmptySurface, MissingArray, BadParameter.
   //
@@ -75,6 +86,7 @@ public:
 
 private:
   void readTriangles(vtkPolyData* block);
+  void readSharpEdges(vtkPolyData* block, std::size_t pointsBefore);
   void findUndivided(vtkPolyData* block);
   void readBoundaries(vtkPolyData* block, const std::string& name);
   void readBoundaryOfBlock(
@@ -89,6 +101,8 @@ private:
   std::vector<double> points_;
   std::vector<std::uint32_t> triangles_;
   std::vector<vtkIdType> cells_;
+  std::vector<std::uint32_t> sharpEdges_; // points, two each
+  std::vector<std::uint8_t> knowsEdges_;  // of each triangle; empty: all 0
   std::vector<std::int32_t> boundary_;
   std::vector<vtkIdType> undivided_; // polygons
   BoundaryNames names_;
