@@ -23,7 +23,14 @@ namespace
 
 constexpr double SecondsBetweenLooks = 0.1; // whether the user stops it
 
-using Process = std::unique_ptr<vtksysProcess, decltype(&vtksysProcess_Delete)>;
+// vtksysProcess_Delete alone waits for the end.
+void end(vtksysProcess* process)
+{
+  vtksysProcess_Kill(process);
+  vtksysProcess_Delete(process);
+}
+
+using Process = std::unique_ptr<vtksysProcess, decltype(&end)>;
 
 // vtksysProcess takes the signals that end this program, and then waits for all its children, also for those that others have
 // started and that never end, such as MPI's. Once this is gone, they do what they did before.
@@ -204,7 +211,7 @@ CadContent runCadProgram(
     words.push_back(argument.c_str());
   }
   words.push_back(nullptr);
-  const Process process(vtksysProcess_New(), &vtksysProcess_Delete); // which kills it
+  const Process process(vtksysProcess_New(), &end);
   vtksysProcess_SetCommand(process.get(), words.data());
   vtksysProcess_SetTimeout(process.get(), timeLimit > 0 ? timeLimit : -1);
   {
