@@ -10,6 +10,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkStringArray.h"
 
+#include "vtksys/SystemTools.hxx"
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -27,6 +29,15 @@ std::string Word(double value)
   std::array<char, 32> text;
   std::snprintf(text.data(), text.size(), "%.17g", value);
   return text.data();
+}
+
+// In per cent; what floating point leaves is none.
+std::string Difference(double ratio)
+{
+  constexpr double Noise = 1e-9;
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%+.3g %%", 100 * ratio);
+  return std::abs(ratio) < Noise ? "0 %" : text.data();
 }
 
 [[noreturn]] void Refuse(const std::string& property, double value, const std::string& range)
@@ -54,7 +65,7 @@ vtkCADReader::vtkCADReader()
 
 vtkCADReader::~vtkCADReader()
 {
-  this->SetFileName(nullptr);
+  delete[] this->FileName;
 }
 
 int vtkCADReader::FillOutputPortInformation(int /*port*/, vtkInformation* info)
@@ -88,6 +99,11 @@ void vtkCADReader::Check() const
   {
     throw cartesian::Error(
       cartesian::Fault::BadParameter, "File Name is empty: choose a STEP, IGES or BREP file.");
+  }
+  if (!vtksys::SystemTools::FileExists(this->FileName, true))
+  {
+    throw cartesian::Error(cartesian::Fault::CannotRead,
+      std::string(this->FileName) + " does not exist: choose a STEP, IGES or BREP file.");
   }
 }
 
@@ -145,12 +161,10 @@ void vtkCADReader::Describe(const cartesian::CadContent& content)
   for (const cartesian::CadSolid& solid : content.solids)
   {
     const bool isSolid = solid.volume != 0;
-    std::array<char, 32> off;
-    std::snprintf(off.data(), off.size(), "%+.3g %%",
-      isSolid ? 100 * (solid.volumeOfTriangles / solid.volume - 1) : 0);
     this->FoundSolids->InsertNextValue(solid.name);
     this->FoundSolids->InsertNextValue(isSolid ? cartesian::number(solid.volume) : "open");
-    this->FoundSolids->InsertNextValue(isSolid ? off.data() : "");
+    this->FoundSolids->InsertNextValue(
+      isSolid ? Difference(solid.volumeOfTriangles / solid.volume - 1) : "");
     this->FoundSolids->InsertNextValue(cartesian::number(solid.area));
     this->FoundSolids->InsertNextValue(std::to_string(solid.triangles.size() / 3));
     this->FoundSolids->InsertNextValue(std::to_string(solid.openEdges));

@@ -7,15 +7,19 @@
 #include "SurfaceParts.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkExtractSelection.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <array>
 #include <numeric>
@@ -27,7 +31,27 @@ namespace
 
 static_assert(static_cast<int>(cartesian::SplitBy::Boundaries) == vtkSplitSurface::BOUNDARIES);
 
-// The triangles of several blocks in one piece.
+// Lines first: SharpEdgeArray of triangles and lines that know them.
+void SetSharpEdges(const cartesian::SurfaceView& view, vtkPolyData* output)
+{
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkUnsignedCharArray> sharp;
+  sharp->SetName(cartesian::SharpEdgeArray);
+  for (std::size_t i = 0; i < view.sharpEdgeCount; ++i)
+  {
+    lines->InsertNextCell(
+      { vtkIdType(view.sharpEdges[2 * i]), vtkIdType(view.sharpEdges[2 * i + 1]) });
+    sharp->InsertNextValue(1);
+  }
+  for (std::size_t t = 0; t < view.triangleCount; ++t)
+  {
+    sharp->InsertNextValue(view.knowsEdges[t] != 0 ? 0 : 1);
+  }
+  output->SetLines(lines);
+  output->GetCellData()->AddArray(sharp);
+}
+
+// The triangles of several blocks in one piece, after the lines that are their sharp edges.
 void SetTriangles(const cartesian::SurfaceView& view, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -47,6 +71,10 @@ void SetTriangles(const cartesian::SurfaceView& view, vtkPolyData* output)
   }
   output->SetPoints(points);
   output->SetPolys(triangles);
+  if (view.knowsEdges)
+  {
+    SetSharpEdges(view, output);
+  }
 }
 
 // Which cells are selected.
@@ -67,10 +95,41 @@ std::vector<bool> selectedCells(vtkPolyData* surface, vtkSelection* selection)
   return cells;
 }
 
+// Gives lines that are edges of the surface the boundary of a polygon beside them, where there are such: the lowest.
+void AddLines(vtkPolyData* surface, std::vector<std::int32_t>& ofCells)
+{
+  vtkNew<vtkPolyData> linked;
+  linked->CopyStructure(surface);
+  linked->BuildLinks();
+  vtkNew<vtkIdList> beside;
+  vtkIdType cell = surface->GetNumberOfVerts();
+  auto line = vtk::TakeSmartPointer(surface->GetLines()->NewIterator());
+  for (line->GoToFirstCell(); !line->IsDoneWithTraversal(); line->GoToNextCell(), ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    line->GetCurrentCell(size, points);
+    std::int32_t& lowest = ofCells[static_cast<std::size_t>(cell)];
+    for (vtkIdType i = 1; i < size; ++i)
+    {
+      linked->GetCellEdgeNeighbors(cell, points[i - 1], points[i], beside);
+      for (vtkIdType n = 0; n < beside->GetNumberOfIds(); ++n)
+      {
+        const std::int32_t other = ofCells[static_cast<std::size_t>(beside->GetId(n))];
+        lowest = other >= 0 && (lowest < 0 || other < lowest) ? other : lowest;
+      }
+    }
+  }
+}
+
 void SetBoundaries(const cartesian::SurfaceParts& parts, vtkPolyData* output)
 {
   const std::vector<std::string> names = parts.names();
-  const std::vector<std::int32_t> ofCells = parts.ofCells(output->GetNumberOfCells());
+  std::vector<std::int32_t> ofCells = parts.ofCells(output->GetNumberOfCells());
+  if (output->GetCellData()->HasArray(cartesian::SharpEdgeArray))
+  {
+    AddLines(output, ofCells);
+  }
   vtkNew<vtkIntArray> ids;
   ids->SetName(cartesian::BoundaryIdArray);
   ids->SetNumberOfValues(static_cast<vtkIdType>(ofCells.size()));
@@ -154,7 +213,7 @@ int vtkSplitSurface::RequestData(
     else
     {
       SetTriangles(surface.view(), result);
-      std::iota(cells.begin(), cells.end(), 0);
+      std::iota(cells.begin(), cells.end(), result->GetNumberOfLines());
     }
     const cartesian::SplitSpec spec{ static_cast<cartesian::SplitBy>(this->SplitBy),
       this->FeatureAngle };

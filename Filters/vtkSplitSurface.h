@@ -3,7 +3,8 @@
  * @class vtkSplitSurface
  * @brief divides a surface into named boundaries
  *
- * Input 0: a surface (vtkPolyData, or blocks of it, which become one piece of triangles). Input 1, optional: a selection
+ * Input 0: a surface (vtkPolyData, or blocks of it, which become one piece of triangles, and of the lines that
+ * are their sharp edges, if those are known: cell array SharpEdge, as in vtkCartesianMesher). Input 1, optional: a selection
  * (vtkSelection) of its cells. Output: the surface, with the cell arrays BoundaryId (int) and BoundaryName (string), which
  * replace STLSolidLabeling, and field data with one value per boundary: BoundaryIds, BoundaryNames, BoundaryFaceCounts,
  * BoundaryAreas (in square units of the surface).

@@ -249,6 +249,21 @@ private:
       BRepGProp::VolumeProperties(part_.shape, inside);
       solid_.volume = inside.Mass() / (unit_ * unit_ * unit_);
     }
+    if (solid_.volume < 0)
+    {
+      turnOver();
+    }
+  }
+
+  // A solid that the file has inside out.
+  void turnOver()
+  {
+    solid_.volume = -solid_.volume;
+    solid_.volumeOfTriangles = -solid_.volumeOfTriangles;
+    for (std::size_t i = 0; i < solid_.triangles.size(); i += 3)
+    {
+      std::swap(solid_.triangles[i + 1], solid_.triangles[i + 2]);
+    }
   }
 
   CadWeld& weld_;

@@ -3,6 +3,7 @@
 
 #include "Base/Error.h"
 #include "Base/Sorting.h"
+#include "FieldData.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -24,6 +25,8 @@ namespace cartesian
 
 namespace
 {
+
+constexpr const char* KnowsEdgesField = "KnowsEdges";
 
 vtkDataArray* cellArray(vtkPolyData* input, const char* name)
 {
@@ -80,6 +83,7 @@ public:
     patches_.boxStart = std::vector<std::size_t>(boxes + 1, 0);
     patches_.reason = std::vector<PatchReason>(boxes, PatchReason::MarchingCubes);
     patches_.missing.assign(boxes, 0);
+    patches_.knowsEdges = input_->GetFieldData()->HasArray(KnowsEdgesField) != 0;
     readPoints();
     auto polygon = vtk::TakeSmartPointer(input_->GetPolys()->NewIterator());
     for (polygon->GoToFirstCell(); !polygon->IsDoneWithTraversal(); polygon->GoToNextCell())
@@ -253,6 +257,10 @@ void toVTK(const Patches& patches, const Boxes& boxes, const std::vector<vtkIdTy
   std::transform(patches.kinds.begin(), patches.kinds.end(), kind->GetPointer(0),
     [](PointKind k) { return static_cast<unsigned char>(k); });
 
+  if (patches.knowsEdges)
+  {
+    setField(output, KnowsEdgesField, { 1 });
+  }
   output->SetPoints(points);
   output->GetPointData()->AddArray(kind);
   output->SetPolys(polygons);

@@ -7,7 +7,8 @@
 // it comes from), VolumeGap (double, user units: how far the patches of its box would have to move outwards to enclose
 // the surface's volume there). Point array: PointKind (unsigned char: the codes of PointKind.h). Field data:
 // FeatureAngle (double: the angle above which an edge is a sharp feature), SurfaceVolume (double, cubic user units: the
-// part of the domain that the surface encloses; 0: not known).
+// part of the domain that the surface encloses; 0: not known), and, only if the surface knows its sharp edges, KnowsEdges
+// (double: 1).
 #pragma once
 
 #include "Patches/Patches.h"

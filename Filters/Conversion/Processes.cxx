@@ -95,6 +95,7 @@ vtkSmartPointer<vtkPolyData> append(const std::vector<vtkPolyData*>& parts)
   if (append->GetNumberOfInputConnections(0) > 0)
   {
     append->Update();
+    append->GetOutput()->SetFieldData(append->GetInput(0)->GetFieldData()); // of a block: a solid's
   }
   return append->GetOutput();
 }

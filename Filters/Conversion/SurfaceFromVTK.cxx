@@ -94,6 +94,16 @@ std::vector<bool> hiddenCells(vtkPolyData* block)
   return hidden;
 }
 
+// Which lines are sharp edges; null: not known.
+vtkDataArray* sharpEdgesOf(vtkPolyData* block)
+{
+  vtkDataArray* array = block->GetCellData()->GetArray(SharpEdgeArray);
+  return array && array->GetNumberOfComponents() == 1 &&
+      array->GetNumberOfTuples() == block->GetNumberOfCells()
+    ? array
+    : nullptr;
+}
+
 // How many of a polygon's corners differ from the one before.
 std::size_t differentCorners(vtkPoints* points, vtkIdType size, const vtkIdType* corners)
 {
@@ -180,7 +190,9 @@ SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundary
   names_ = isWhole ? boundaryNames(input) : BoundaryNames();
   for (const SurfaceBlock& block : blocks)
   {
+    const std::size_t pointsBefore = points_.size() / 3;
     readTriangles(block.surface);
+    readSharpEdges(block.surface, pointsBefore);
     findUndivided(block.surface);
     if (isChosen || found)
     {
@@ -272,6 +284,41 @@ void SurfaceFromVTK::readTriangles(vtkPolyData* block)
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
     surface->GetPoint(i, points_.data() + 3 * (pointsBefore + static_cast<std::size_t>(i)));
+  }
+}
+
+void SurfaceFromVTK::readSharpEdges(vtkPolyData* block, std::size_t pointsBefore)
+{
+  vtkDataArray* sharp = sharpEdgesOf(block);
+  if (sharp)
+  {
+    knowsEdges_.resize(cells_.size());
+    for (auto t = cells_.size(); t > 0 && cells_[t - 1] >= cellsBefore_; --t)
+    {
+      knowsEdges_[t - 1] = sharp->GetComponent(cells_[t - 1] - cellsBefore_, 0) == 0 ? 1 : 0;
+    }
+  }
+  else if (!knowsEdges_.empty())
+  {
+    knowsEdges_.resize(cells_.size());
+  }
+  const std::vector<bool> hidden = sharp ? hiddenCells(block) : std::vector<bool>();
+  vtkIdType id = block->GetNumberOfVerts();
+  auto line = vtk::TakeSmartPointer(block->GetLines()->NewIterator());
+  for (line->GoToFirstCell(); sharp && !line->IsDoneWithTraversal(); line->GoToNextCell(), ++id)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    line->GetCurrentCell(size, points);
+    const bool there = hidden.empty() || !hidden[static_cast<std::size_t>(id)];
+    for (vtkIdType i = 1; there && sharp->GetComponent(id, 0) != 0 && i < size; ++i)
+    {
+      for (const vtkIdType point : { points[i - 1], points[i] })
+      {
+        sharpEdges_.push_back(
+          static_cast<std::uint32_t>(pointsBefore + static_cast<std::size_t>(point)));
+      }
+    }
   }
 }
 
@@ -466,7 +513,9 @@ std::int32_t SurfaceFromVTK::numberOf(const std::string& given)
 SurfaceView SurfaceFromVTK::view() const
 {
   return { points_.data(), points_.size() / 3, triangles_.data(), cells_.size(), boundary_.data(),
-    cells_.data(), regionNames_.size() > 1 ? region_.data() : nullptr, &regionNames_ };
+    cells_.data(), regionNames_.size() > 1 ? region_.data() : nullptr, &regionNames_,
+    sharpEdges_.data(), sharpEdges_.size() / 2,
+    knowsEdges_.empty() ? nullptr : knowsEdges_.data() };
 }
 
 }

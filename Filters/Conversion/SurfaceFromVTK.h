@@ -40,6 +40,9 @@ constexpr const char* AutomaticBoundaries = "Automatic";
 // Copies the triangles of a vtkPolyData, or of all those in a vtkMultiBlockDataSet, vtkPartitionedDataSet or
 // vtkPartitionedDataSetCollection. Polygons with more corners are triangulated; verts, lines, and cells that
 // vtkGhostType hides are left out. Cells are numbered continuously over all blocks.
+//
+// In a block with SharpEdgeArray, sharp edges are known: those between two points that a marked line joins, no others,
+// whatever their angle. Points with equal coordinates count as one; lines that are no edges of polygons are ignored.
 class SurfaceFromVTK
 {
 public:
@@ -83,6 +86,7 @@ public:
 
 private:
   void readTriangles(vtkPolyData* block);
+  void readSharpEdges(vtkPolyData* block, std::size_t pointsBefore);
   void findUndivided(vtkPolyData* block);
   void readBoundaries(vtkPolyData* block, const std::string& name);
   void readBoundaryOfBlock(
@@ -97,6 +101,8 @@ private:
   std::vector<double> points_;
   std::vector<std::uint32_t> triangles_;
   std::vector<vtkIdType> cells_;
+  std::vector<std::uint32_t> sharpEdges_; // points, two each
+  std::vector<std::uint8_t> knowsEdges_;  // of each triangle; empty: all 0
   std::vector<std::int32_t> boundary_;
   std::vector<vtkIdType> undivided_; // polygons
   BoundaryNames names_;

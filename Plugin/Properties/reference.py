@@ -15,6 +15,7 @@ KINDS = {"IntVectorProperty": int, "DoubleVectorProperty": float, "StringVectorP
 UNITS = {
     r"multiple of the longest side": "the longest side of the surface's bounding box",
     r"units of the surface": "units of the surface",
+    r"in Length Unit": "Length Unit",
     r"degrees": "degrees",
     r"in GiB": "GiB",
     r"in m/s": "m/s",

@@ -35,6 +35,7 @@ boxer = simple.CartesianBoxer(Input=surface)
 patcher = simple.Patcher(Input=surface, Boxes=boxer)
 assembler = simple.CellAssembler(Input=boxer, Patches=patcher)
 mesher = simple.CartesianMesher(Input=surface)
+cad = simple.CADReader()
 inspector = simple.SurfaceInspector(Input=surface)
 split = simple.SplitSurface(Input=surface)
 divided = simple.DividePolyhedra(Input=mesher)
@@ -52,6 +53,8 @@ expected = {
     mesher: ("Cartesian Mesher", ["Input", "RefinementRegions", "SizeField"],
              boundaries | grid | refinement | patches | cells | settings | threads | memory
              | pieces | regions | domain | layers | preview),
+    cad: ("CAD Reader", [], {"FileName": "", "Deflection": 0.0, "Angle": 10.0, "LengthUnit": "Metre", "Scale": 1.0,
+        "BoundaryNamesFrom": "Automatic", "HealTolerance": 0.0, "GlueSolids": 0, "MergeCoplanar": 0, "TimeLimit": 1800.0}),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
     split: ("Split Surface", ["Input", "Selection"], boundaries | threads | {"SplitBy": "Flat Caps", "FeatureAngle": 30.0,
         "CapNames": "cap", "BoundaryNames": [], "BoundaryMergedNames": [], "SelectionName": "selected",

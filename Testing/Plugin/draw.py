@@ -1,6 +1,7 @@
 """xvfb-run -a pvpython draw.py REPOSITORY PROGRAM [NAME ...]: makes pictures of the help pages: of the mesh of
 their task cut open (task), of a flow that OpenFOAM computed (flow), of a mesh that
-follows a solution (adaptation), of layers (layers), of the coolant jacket (jacket), of sections (slices), and of solid and gas
+follows a solution (adaptation), of layers (layers), of the coolant jacket (jacket), of sections (slices), of the
+solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
 of the exhaust header (regions; needs the folder of surfaces in SURFACES). PROGRAM is cartesian-mesher; the others are made by
 demo.sh, TestImages.py and Window/photograph.py."""
 
@@ -20,7 +21,7 @@ import foam
 import jacket
 from ducts import solve
 from pipeline import DATA, output, producer
-from pages import HELP, block, blocks
+from pages import HELP, REPOSITORY, block, blocks
 
 PROGRAM = sys.argv[2]
 
@@ -184,10 +185,21 @@ def draw_slices(folder):
     joined("slices.png", parts)
 
 
+def draw_cad(_):
+    """The page's regions, cut open."""
+    names = {}
+    os.chdir(REPOSITORY)
+    exec(blocks(HELP / "cad.md", "python")[0].split("SaveData")[0], names)
+    view = simple.CreateView("RenderView")
+    display = show(half(names["mesher"], [0.0001, 0, 0], [1, 0, 0]), view, "Region")
+    display.SetScalarBarVisibility(view, False)
+    picture("cadmesh.png", view, [1, 0.7, 0.5], 1.2)
+
+
 CUT = [51, 100, -3]  # in the middle of a tube of the header
 
 DRAWN = {"task": draw_task, "flow": draw_flow, "layers": draw_layers, "adaptation": draw_adaptation,
-         "jacket": draw_jacket, "regions": draw_regions, "slices": draw_slices}
+         "jacket": draw_jacket, "regions": draw_regions, "cad": draw_cad, "slices": draw_slices}
 for name in sys.argv[3:] or DRAWN:
     with tempfile.TemporaryDirectory() as folder:
         DRAWN[name](pathlib.Path(folder))

@@ -9,6 +9,11 @@ HELP = REPOSITORY / "Plugin" / "Help"
 PAGES = [REPOSITORY / "README.md", *sorted(HELP.glob("*.md"))]
 
 
+def reads_cad(program):
+    """Whether the program that reads CAD files was built, or installed, with cartesian-mesher."""
+    return any(pathlib.Path(program).parents[1].glob("libexec/*/read-cad"))
+
+
 def blocks(page, language):
     """The blocks of code in that language, in order."""
     return re.findall(rf"```{language}\n(.*?)```", page.read_text(), re.S)

@@ -3,6 +3,7 @@
 
 import pathlib
 import re
+import shutil
 import sys
 from xml.etree import ElementTree
 
@@ -12,8 +13,13 @@ from events import colour_by, event, macro, script
 from window import Screen
 
 REPOSITORY = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(REPOSITORY / "Testing" / "Plugin"))
+from pages import reads_cad  # noqa: E402
+
 PROXIES = {proxy.get("name") for group in ElementTree.fromstring(re.sub("@[A-Za-z]+@", "",
     (REPOSITORY / "Plugin" / "CartesianMesher.xml.in").read_text())) for proxy in group.iter("SourceProxy") if group.get("name") != "internal_filters"}
+if not reads_cad(sys.argv[2]):
+    PROXIES.remove("CADReader")
 IN_CHARTS = {"QualityHistogram"}
 NAMED = "BoundaryName", "DefectName", "Region", "InterfaceName"  # arrays whose values have names
 
@@ -24,6 +30,7 @@ from paraview import simple
 flawed = simple.NamedSTLReader(FileName="{folder}/flawed.stl")
 flawed.UpdatePipeline() # a region takes its size from what has been read; ParaView 6.1 has no size until then
 simple.NamedOBJReader(FileName="{folder}/square.obj")
+CAD
 boxes = [simple.Triangulate(Input=simple.Box(Center=[i, 0, 0])) for i in range(2)]
 simple.CartesianMesher(Input=simple.GroupDatasets(Input=boxes), CellSize=0.5, RegionsFrom="Blocks")
 mesher = simple.CartesianMesher(Input=flawed, CellSize=0.5)
@@ -37,7 +44,7 @@ simple.FiniteVolumeQuality(Input=simple.OutputPort(mesher, 0))
 simple.DividePolyhedra(Input=simple.OutputPort(mesher, 0))
 simple.SlicePolyhedra(Input=simple.OutputPort(mesher, 0))
 simple.MeshSummary(Input=simple.OutputPort(mesher, 0))
-"""
+""".replace("CAD", 'simple.CADReader(FileName="{folder}/heated_pipe.step")' if "CADReader" in PROXIES else "")
 
 OUTPUTS = f"""
 outputs = [(source, port) for _, source in sorted(simple.GetSources().items()) if source.SMProxy.GetXMLName() in {sorted(PROXIES - IN_CHARTS)}
@@ -90,6 +97,7 @@ def write_surfaces(folder):
                 corners = "".join(f"vertex {x} {y} {z}\n" for x, y, z in facet)
                 file.write(f"facet normal 0 0 0\nouter loop\n{corners}endloop\nendfacet\n")
             file.write(f"endsolid {name}\n")
+    shutil.copy(REPOSITORY / "Data" / "heated_pipe.step", folder)
     (folder / "square.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng one\nf 1 2 3\ng two\nf 1 3 4\n")
 
 

@@ -29,6 +29,20 @@ with Screen(1400, 900) as screen:
     screen.photograph(script(*split, select_cells(0.53, 0.67), copy_selection(), text("SelectionName", "inlet"), apply()),
         HELP / "splitpick.png")
 
+# Solids of a STEP file, glued.
+OBLIQUE = """
+from paraview import simple
+view = simple.GetActiveView()
+view.CameraViewUp, view.CameraFocalPoint, view.CameraPosition = [0, 1, 0], [0, 0, 0.05], [0.1, 0.08, 0.15]
+simple.ResetCamera(view)
+simple.GetActiveCamera().Zoom(1.3)
+simple.Render(view)
+"""
+with Screen(1400, 900) as screen:
+    screen.add_macro("oblique", OBLIQUE)
+    screen.photograph(script(open_file(REPOSITORY / "Data" / "heated_pipe.step"),
+        event(f"{PROPERTIES}/GlueSolids/CheckBox", "set_boolean", "true"), apply(), macro("oblique")), HELP / "cad.png")
+
 # A car in its flow domain, not applied yet.
 CAMERA = """
 from paraview import simple

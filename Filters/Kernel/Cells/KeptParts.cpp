@@ -372,6 +372,7 @@ void keepPatches(
   {
     corner = newPoint[corner];
   }
+  result.knowsEdges = patches.knowsEdges;
   result.walls = std::move(patches.walls);
   result.enclosed = std::move(patches.enclosed);
   patches = std::move(result);

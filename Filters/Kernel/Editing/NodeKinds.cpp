@@ -15,6 +15,7 @@ constexpr double StraightCosine = -0.9; // between the two sharp edges at a node
 constexpr double MostLeash = 0.4;       // in boxes
 constexpr double Sagitta = 0.012; // in boxes: how far a node may leave the surface on its leash
 constexpr double LeastSine = 1e-3;
+constexpr double OfOnePlane = 0.99996; // cosine: faces that turn by less do so by rounding
 
 constexpr std::size_t NodesAChunk = 1024;
 
@@ -30,26 +31,27 @@ struct Use
 class KindOfNode
 {
 public:
-  KindOfNode(EditMesh& mesh, double featureAngle)
+  KindOfNode(EditMesh& mesh, const KnownKinds& kinds, double featureAngle)
     : mesh_(mesh)
+    , kinds_(kinds)
     , featureCosine_(std::cos(radians(featureAngle)))
   {
   }
 
-  // `known`: what the surface's features say of it (PointKind.h).
-  void find(std::uint32_t n, PointKind known)
+  void find(std::uint32_t n)
   {
     list(n);
     EditNode& node = mesh_.rawNode(n);
+    const PointKind known = kinds_.of(node.number);
     node.home = node.at;
-    const bool isSheet = listSharp() && isOneFan();
+    const bool isSheet = listSharp(known) && isOneFan();
     if (uses_.empty())
     {
       return;
     }
     node.along = unit(mean());
     if (isSheet &&
-      (sharp_.empty() || (sharp_.size() == 1 && isFlat(node.along)) ||
+      (sharp_.empty() || (sharp_.size() == 1 && !kinds_.knowsEdges && isFlat(node.along)) ||
         (known == PointKind::OnSurface && !isBorder_)))
     {
       node.kind = NodeKind::OnSurface;
@@ -95,8 +97,8 @@ private:
     }
   }
 
-  // False: an edge has other than two faces.
-  bool listSharp()
+  // `known`: the kind of the node. False: an edge has other than two faces.
+  bool listSharp(PointKind known)
   {
     sharp_.clear();
     isClosed_ = true;
@@ -110,7 +112,7 @@ private:
     ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
     for (const std::uint32_t end : ends_)
     {
-      if (isSharp(end))
+      if (isSharp(end, known))
       {
         sharp_.push_back(end);
       }
@@ -118,7 +120,16 @@ private:
     return isClosed_;
   }
 
-  bool isSharp(std::uint32_t end)
+  // Whether an edge of the wall is sharp, by what its ends are on if that is known, else by its angle.
+  bool turns(double cosine, std::uint32_t end, PointKind known) const
+  {
+    const PointKind lower = std::min(known, kinds_.of(mesh_.node(end).number));
+    return kinds_.knowsEdges && lower != PointKind::OffSurface
+      ? lower >= PointKind::OnEdge && cosine < OfOnePlane
+      : cosine < featureCosine_;
+  }
+
+  bool isSharp(std::uint32_t end, PointKind known)
   {
     std::array<const Use*, 2> at{};
     std::size_t count = 0;
@@ -141,7 +152,7 @@ private:
     const double cosine = dot(at[0]->normal, at[1]->normal) * (areAlike ? 1 : -1);
     isBorder_ = isBorder_ || at[0]->wall != at[1]->wall;
     return at[0]->wall != at[1]->wall ||
-      (cosine < featureCosine_ && at[0]->area > NoArea && at[1]->area > NoArea);
+      (turns(cosine, end, known) && at[0]->area > NoArea && at[1]->area > NoArea);
   }
 
   // Whether all faces are connected by edges at the node.
@@ -202,6 +213,7 @@ private:
   }
 
   EditMesh& mesh_;
+  const KnownKinds& kinds_;
   double featureCosine_;
   std::vector<Use> uses_;
   std::vector<std::uint32_t> ends_;
@@ -216,17 +228,16 @@ private:
 }
 
 void findNodeKinds(
-  EditStore& store, const RawVector<PointKind>& known, double featureAngle, Execution& execution)
+  EditStore& store, const KnownKinds& known, double featureAngle, Execution& execution)
 {
   execution.forEach(store.nodes.size(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
     EditMesh mesh(store, 0, 0, {});
-    KindOfNode kind(mesh, featureAngle);
+    KindOfNode kind(mesh, known, featureAngle);
     for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
     {
       if (mesh.node(n).atWall)
       {
-        const std::uint32_t number = mesh.node(n).number;
-        kind.find(n, number < known.size() ? known[number] : PointKind::OffSurface);
+        kind.find(n);
       }
     }
   });

@@ -10,10 +10,22 @@
 namespace cartesian
 {
 
+// What the features of the surface say of nodes, as Nodes::kinds.
+struct KnownKinds
+{
+  const RawVector<PointKind>& ofNodes;
+  bool
+    knowsEdges; // edges between nodes that are on none are smooth, whatever their angle (Patches)
+
+  PointKind of(std::uint32_t number) const
+  {
+    return number < ofNodes.size() ? ofNodes[number] : PointKind::OffSurface;
+  }
+};
+
 // Of all nodes at walls and between regions, once faces are measured: EditNode's kind, along, home and leash. Edges at
-// which two boundaries meet, or by which the wall turns by more than `featureAngle` (degrees), are sharp. `known`: of
-// nodes, as Nodes::kinds.
+// which two boundaries meet, or by which the wall turns by more than `featureAngle` (degrees), are sharp.
 void findNodeKinds(
-  EditStore& store, const RawVector<PointKind>& known, double featureAngle, Execution& execution);
+  EditStore& store, const KnownKinds& known, double featureAngle, Execution& execution);
 
 }

@@ -48,7 +48,8 @@ public:
     hold();
     freeze();
     measure();
-    findNodeKinds(store_, parts_.nodes.kinds, featureAngle, execution_);
+    findNodeKinds(
+      store_, { parts_.nodes.kinds, parts_.patches.knowsEdges }, featureAngle, execution_);
   }
 
 private:

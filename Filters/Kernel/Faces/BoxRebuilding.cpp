@@ -314,6 +314,7 @@ private:
     to.points.reserve(patches_.points.size() + points_.points().size());
     to.points = patches_.points;
     to.points.insert(to.points.end(), points_.points().begin(), points_.points().end());
+    to.knowsEdges = patches_.knowsEdges;
     to.kinds = patches_.kinds;
     to.kinds.resize(to.points.size(), PointKind::OnSurface);
   }

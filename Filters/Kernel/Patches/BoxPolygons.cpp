@@ -6,6 +6,14 @@
 namespace cartesian
 {
 
+namespace
+{
+
+// Cosine of half a degree: polygons that turn by less are of one plane, and rounded.
+constexpr double OfOnePlane = 0.99996;
+
+}
+
 double angleBetween(const Vector& a, const Vector& b)
 {
   return std::acos(std::max(-1.0, std::min(1.0, dot(a, b))));
@@ -119,6 +127,18 @@ bool BoxPolygons::isSliver(const Polygon& p) const
     longest = std::max(longest, edgeLength(c[i], c[i + 1 < p.size ? i + 1 : 0]));
   }
   return 2 * norm(areaVector(c, c + p.size)) < shortest * longest;
+}
+
+bool BoxPolygons::isSharp(const Surface& surface, const Polygon& p, const Polygon& q,
+  std::uint32_t from, std::uint32_t to, double featureCosine) const
+{
+  const double cosine = dot(p.cone.axis, q.cone.axis);
+  if (!surface.knownEdges)
+  {
+    return cosine < featureCosine;
+  }
+  return cosine < OfOnePlane && !kinds.empty() &&
+    std::min(kinds[from], kinds[to]) >= PointKind::OnEdge;
 }
 
 Vector BoxPolygons::areaVector(const std::uint32_t* begin, const std::uint32_t* end) const

@@ -68,6 +68,11 @@ struct BoxPolygons
   // Whether a polygon is thinner than the shortest edge.
   bool isSliver(const Polygon& p) const;
 
+  // Whether an edge between two polygons is sharp. Where the surface knows its sharp edges, so do its points
+  // (BoxSurface), and no angle is asked.
+  bool isSharp(const Surface& surface, const Polygon& p, const Polygon& q, std::uint32_t from,
+    std::uint32_t to, double featureCosine) const;
+
   double edgeLength(std::uint32_t p, std::uint32_t q) const { return norm(minus(at[p], at[q])); }
   Vector areaVector(const std::uint32_t* begin, const std::uint32_t* end) const;
 };

@@ -70,10 +70,12 @@ void NodeRemoval::removeInner()
   }
 }
 
-bool NodeRemoval::isFeature(const Polygon& p, const Polygon& q) const
+bool NodeRemoval::isFeature(const PolygonEdge& a, const PolygonEdge& b) const
 {
+  const Polygon& p = box_.polygons[a.polygon];
+  const Polygon& q = box_.polygons[b.polygon];
   return surface_.boundary[p.triangle] != surface_.boundary[q.triangle] ||
-    dot(p.cone.axis, q.cone.axis) < featureCosine_;
+    box_.isSharp(surface_, p, q, a.lower, a.upper, featureCosine_);
 }
 
 bool NodeRemoval::isOfSheet(std::uint32_t polygon) const
@@ -101,8 +103,7 @@ void NodeRemoval::markFeatures()
   for (std::size_t i = 0; i < edges_.size();)
   {
     const std::size_t end = endOfEqual(edges_, i);
-    if (end - i != 2 ||
-      isFeature(box_.polygons[edges_[i].polygon], box_.polygons[edges_[i + 1].polygon]))
+    if (end - i != 2 || isFeature(edges_[i], edges_[i + 1]))
     {
       feature_[edges_[i].lower] = feature_[edges_[i].upper] = 1;
       if (end - i == 2 && isOfSheet(edges_[i].polygon) && isOfSheet(edges_[i + 1].polygon))

@@ -24,7 +24,7 @@ public:
 
 private:
   void markFeatures();
-  bool isFeature(const Polygon& p, const Polygon& q) const;
+  bool isFeature(const PolygonEdge& a, const PolygonEdge& b) const;
   bool isOfSheet(std::uint32_t polygon) const;
   std::uint32_t neighbourOf(std::uint32_t node, std::uint32_t polygon, bool next) const;
   void startFan(std::uint32_t node);

@@ -268,6 +268,7 @@ private:
     });
     findKinds(ofChunk, offsets, numbering, patches);
     patches.points.swap(numbering.points);
+    patches.knowsEdges = surface_.knownEdges != nullptr;
     patches.walls = surface_.walls;
     patches.enclosed = enclosedVolumes(surface_, execution_);
     patches.surfaceVolume = boxes_.core.contains(0) ? surfaceVolume() : 0;

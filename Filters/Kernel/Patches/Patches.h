@@ -16,6 +16,7 @@ struct Patches
 {
   std::vector<Point> points;         // each once
   RawVector<PointKind> kinds;        // of points, without OffSurface
+  bool knowsEdges = false;           // the surface knows its sharp edges: so do the kinds
   RawVector<std::size_t> start;      // first corner of each polygon, and the end
   RawVector<std::uint32_t> corners;  // ids of points
   RawVector<std::uint32_t> triangle; // of the surface, from which each polygon comes

@@ -108,7 +108,7 @@ void PolygonMerging::joinAcross(const MergeCandidate& candidate)
   }
   else if (cone.spread > mergeRadius_ ||
     surface_.boundary[p.triangle] != surface_.boundary[q.triangle] ||
-    dot(p.cone.axis, q.cone.axis) < featureCosine_)
+    box_.isSharp(surface_, p, q, candidate.from, candidate.to, featureCosine_))
   {
     return;
   }

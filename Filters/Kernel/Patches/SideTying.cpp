@@ -384,10 +384,21 @@ bool SideTying::isFeature(const BoxSurface& piece, std::size_t node) const
   const std::uint32_t a = line_.triangles[node - 1];
   const std::uint32_t b = line_.triangles[node];
   const Point& p = piece.points[line_.nodes[node]];
-  const bool folded = features_.isFold(a) || features_.isFold(b);
-  return surface_.boundary[a] != surface_.boundary[b] ||
-    (!folded && dot(features_.normal[a], features_.normal[b]) < featureCosine_) ||
+  return surface_.boundary[a] != surface_.boundary[b] || isSharp(piece, node) ||
     isNextToFeature(p, a) || isNextToFeature(p, b);
+}
+
+// Where the surface knows its sharp edges, so do its points, and no angle is asked.
+bool SideTying::isSharp(const BoxSurface& piece, std::size_t node) const
+{
+  if (surface_.knownEdges)
+  {
+    return !piece.kinds.empty() && piece.kinds[line_.nodes[node]] >= PointKind::OnEdge;
+  }
+  const std::uint32_t a = line_.triangles[node - 1];
+  const std::uint32_t b = line_.triangles[node];
+  return !features_.isFold(a) && !features_.isFold(b) &&
+    dot(features_.normal[a], features_.normal[b]) < featureCosine_;
 }
 
 // A feature may run along a side, just beyond it; then the polyline follows it.

@@ -76,6 +76,7 @@ private:
   void dropSimilar(const BoxSurface& piece);
   bool mayReplace(const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j);
   bool isFeature(const BoxSurface& piece, std::size_t node) const;
+  bool isSharp(const BoxSurface& piece, std::size_t node) const;
   bool isNextToFeature(const Point& p, std::uint32_t triangle) const;
   bool passesOver(const BoxSurface& piece, std::size_t i, std::size_t before, std::size_t j);
   void listFlatNodes(const BoxSurface& piece);

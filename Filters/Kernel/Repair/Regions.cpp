@@ -170,7 +170,7 @@ std::optional<std::vector<ClosedContact>> separateRegions(
         " intersects others or itself near " + placeOf(all, middleOf(all, crossing[0])) +
         " in many nearly coplanar faces, so it is uncertain what lies on which side. Choose a "
         "Contact Tolerance larger than the gap between walls that should touch, or cut one body "
-        "out of the other.");
+        "out of the other; of a CAD file, glue the solids (Glue Solids).");
   }
   std::swap(surface.vertices, walls.vertices);
   surface.triangles.swap(walls.triangles);

@@ -59,7 +59,7 @@ public:
       for (unsigned i = 0; i < 3; ++i)
       {
         const std::uint32_t other = neighbours_[t][i];
-        if (other == None || (turns(t, other) && !isFold(t) && !isFold(other)))
+        if (other == None || (isSharp(t, other) && !isFold(t) && !isFold(other)))
         {
           result_.edges[t] = static_cast<std::uint8_t>(result_.edges[t] | 1u << i);
         }
@@ -72,6 +72,12 @@ public:
   }
 
 private:
+  bool isSharp(std::size_t t, std::size_t other) const
+  {
+    const Known known = surface_.knownBetween(t, other);
+    return known == Known::Nothing ? turns(t, other) : known == Known::Sharp;
+  }
+
   // A triangle without area has no normal: the neighbours behind it are compared instead.
   bool turns(std::size_t t, std::size_t other) const
   {

@@ -22,6 +22,8 @@ namespace
 constexpr std::size_t VerticesAChunk = 1 << 12;
 constexpr std::size_t TrianglesAChunk = 1 << 12;
 
+constexpr std::uint32_t NoVertex = ~std::uint32_t(0);
+
 // Volumes must stay finite in double precision; those of small parts of small cells, and squares of the areas
 // of their faces, must not vanish.
 constexpr double LargestCoordinate = 1e100;
@@ -208,6 +210,48 @@ double roundingOf(const SurfaceView& view, const Flags& used, Execution& executi
   return most == NotSingle ? 0 : most * double(std::numeric_limits<float>::epsilon()) / 2;
 }
 
+// The vertex at the place of a point that no triangle uses and that need not exist, or NoVertex.
+std::uint32_t vertexAt(const SurfaceView& view, std::uint32_t point, const Surface& surface)
+{
+  Point place{};
+  if (point >= view.pointCount)
+  {
+    return NoVertex;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double x = view.points[3 * std::size_t(point) + static_cast<std::size_t>(axis)];
+    const Lattice& lattice = surface.lattice;
+    if (!(x >= lattice.position(axis, 0) &&
+          x < lattice.position(axis, std::numeric_limits<Level>::max())))
+    {
+      return NoVertex;
+    }
+    place[static_cast<std::size_t>(axis)] = lattice.vertex(axis, x);
+  }
+  const auto at = std::lower_bound(surface.vertices.begin(), surface.vertices.end(), place);
+  return at != surface.vertices.end() && *at == place
+    ? static_cast<std::uint32_t>(at - surface.vertices.begin())
+    : NoVertex;
+}
+
+std::shared_ptr<const KnownEdges> knownEdgesOf(const SurfaceView& view, const Flags& used,
+  const RawVector<std::uint32_t>& vertex, const Surface& surface, Execution& execution)
+{
+  if (!view.knowsEdges)
+  {
+    return nullptr;
+  }
+  std::vector<KnownEdges::Line> sharp(view.sharpEdgeCount);
+  for (std::size_t i = 0; i < 2 * view.sharpEdgeCount; ++i)
+  {
+    const std::uint32_t point = view.sharpEdges[i];
+    sharp[i / 2][i % 2] =
+      point < view.pointCount && used[point] != 0 ? vertex[point] : vertexAt(view, point, surface);
+  }
+  return std::make_shared<KnownEdges>(view, surface, std::move(sharp), execution);
+}
+
 Bounds boundsOf(const SurfaceView& view, std::size_t begin, std::size_t end)
 {
   Bounds bounds = Bounds::none();
@@ -307,6 +351,7 @@ Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& ex
   surface.rounding = std::max(1.0, roundingOf(view, used, execution) / lattice.step());
   const RawVector<std::uint32_t> vertex = mergePoints(points, surface, execution);
   addTriangles(view, vertex, surface, execution);
+  surface.knownEdges = knownEdgesOf(view, used, vertex, surface, execution);
   return surface;
 }
 

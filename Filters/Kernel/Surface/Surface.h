@@ -5,9 +5,12 @@
 #include "Base/Execution.h"
 #include "Lattice/Crossing.h"
 #include "Lattice/Vector.h"
+#include "Surface/KnownEdges.h"
 #include "Surface/Walls.h"
 #include "Surface/Winding.h"
 
+#include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,6 +29,10 @@ struct SurfaceView
   const std::int32_t* region =
     nullptr; // of each triangle, from FirstRegion; null: there is only one
   const std::vector<std::string>* regionNames = nullptr; // in order, for messages; null: none
+  const std::uint32_t* sharpEdges = nullptr; // two points each; points at the same place are one
+  std::size_t sharpEdgeCount = 0;
+  const std::uint8_t* knowsEdges =
+    nullptr; // of each triangle; 1: of its edges only those are sharp; null: all 0
 
   std::array<Vector, 3> corners(std::size_t triangle) const
   {
@@ -61,6 +68,7 @@ struct Surface
   std::vector<std::uint8_t> ofSheet; // of the first triangles, 1: of a sheet (ThinSheets.h)
   std::vector<std::uint8_t>
     byParity; // of each triangle; 1: no consistent orientation (Winding.h); empty: all 0
+  std::shared_ptr<const KnownEdges> knownEdges; // of the triangles given; null: of none
 
   Corners corners(std::size_t triangle) const
   {
@@ -72,6 +80,13 @@ struct Surface
   bool isOfSheet(std::size_t triangle) const
   {
     return triangle < ofSheet.size() && ofSheet[triangle] != 0;
+  }
+
+  // What is known of the edge between two triangles.
+  Known knownBetween(std::size_t a, std::size_t b) const
+  {
+    return knownEdges && std::max(a, b) < given.size() ? knownEdges->between(given[a], given[b])
+                                                       : Known::Nothing;
   }
 
   // With a triangle of another surface of the same vertices, which has a number in the view and a region.

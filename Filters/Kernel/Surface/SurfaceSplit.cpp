@@ -57,6 +57,10 @@ public:
     }
     else if (spec_.by != SplitBy::Boundaries)
     {
+      if (spec_.by == SplitBy::FeatureAngle)
+      {
+        surface_.knownEdges = nullptr;
+      }
       features_ = findFeatures(surface_, spec_.featureAngle, execution_);
       edges_.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
         uniteSmooth(lower, begin, end);

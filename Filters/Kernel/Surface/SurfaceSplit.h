@@ -10,7 +10,7 @@ namespace cartesian
 
 enum class SplitBy
 {
-  FeatureAngle,   // at edges where the surface turns by more than the feature angle
+  FeatureAngle, // at edges where the surface turns by more than the feature angle, whatever edges are known
   FlatCaps,       // flat ends of ducts, and the rest of each boundary (Caps.h)
   Planes,         // flat patches, those in one plane together, and the rest of each boundary
   ConnectedParts, // that have no edge in common

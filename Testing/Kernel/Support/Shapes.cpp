@@ -102,6 +102,9 @@ SurfaceView Soup::view() const
   v.triangleCount = triangles.size();
   v.boundary = boundary.empty() ? nullptr : boundary.data();
   v.region = region.empty() ? nullptr : region.data();
+  v.sharpEdges = sharpEdges.empty() ? nullptr : sharpEdges[0].data();
+  v.sharpEdgeCount = sharpEdges.size();
+  v.knowsEdges = knowsEdges.empty() ? nullptr : knowsEdges.data();
   return v;
 }
 
@@ -179,6 +182,16 @@ Soup& Soup::add(const Soup& other)
     boundary.insert(boundary.end(), more.begin(), more.end());
   }
   const auto first = static_cast<std::uint32_t>(points.size());
+  if (!knowsEdges.empty() || !other.knowsEdges.empty())
+  {
+    knowsEdges.resize(triangles.size());
+    knowsEdges.insert(knowsEdges.end(), other.knowsEdges.begin(), other.knowsEdges.end());
+    knowsEdges.resize(triangles.size() + other.triangles.size());
+  }
+  for (const auto& edge : other.sharpEdges)
+  {
+    sharpEdges.push_back({ edge[0] + first, edge[1] + first });
+  }
   points.insert(points.end(), other.points.begin(), other.points.end());
   for (const auto& t : other.triangles)
   {

@@ -19,6 +19,8 @@ struct Soup
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::int32_t> boundary; // of each triangle, or empty: all 0
   std::vector<std::int32_t> region;   // of each triangle, or empty: there is only one
+  std::vector<std::array<std::uint32_t, 2>> sharpEdges; // points
+  std::vector<std::uint8_t> knowsEdges;                 // of each triangle, or empty: all 0
 
   SurfaceView view() const; // borrows
 

@@ -1,0 +1,177 @@
+// Roundings, creases, kinks, seams and poles.
+#include "Parts.h"
+#include "Shapes.h"
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+constexpr double X = 30, Y = 20, Z = 10;
+
+void write(Folder& folder, const std::string& file, const TopoDS_Shape& shape,
+  const SolidFacts& solid, int faces, const std::map<std::string, double>& others = {},
+  Integrals integrals = Integrals::FixedOrder)
+{
+  Document document;
+  document.add(shape, solid.name);
+  Facts facts;
+  facts.solids = { solid };
+  facts.faces = faces;
+  facts.others = others;
+  facts.integrals = integrals;
+  folder.step(file, document, facts);
+}
+
+// All faces are tangent to their neighbours. Volume and area are Steiner's for what lies within *radius* of a cuboid.
+void roundedBox(Folder& folder)
+{
+  const double radius = 3;
+  const TopoDS_Shape sharp = box(gp::Origin(), { X, Y, Z });
+  BRepFilletAPI_MakeFillet fillet(sharp);
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(sharp, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i)
+  {
+    fillet.Add(radius, TopoDS::Edge(edges(i)));
+  }
+  const double x = X - 2 * radius, y = Y - 2 * radius, z = Z - 2 * radius;
+  SolidFacts solid = boxFacts("rounded_box", x, y, z);
+  solid.volume +=
+    solid.area * radius + Pi * radius * radius * (x + y + z) + 4.0 / 3 * Pi * std::pow(radius, 3);
+  solid.area += 2 * Pi * radius * (x + y + z) + 4 * Pi * radius * radius;
+  write(folder, "rounded_box.step", fillet.Shape(), solid, 26, { { "tangentGroups", 1 } });
+}
+
+// Three of its faces are one tangent group, the other four have a group each.
+void roundedEdge(Folder& folder)
+{
+  const double radius = 3;
+  const TopoDS_Shape sharp = box(gp::Origin(), { X, Y, Z });
+  BRepFilletAPI_MakeFillet fillet(sharp);
+  fillet.Add(radius, edgeBetween(sharp, { X, 0, Z }, { X, Y, Z }));
+  const double corner = (1 - Pi / 4) * radius * radius;
+  SolidFacts solid = boxFacts("rounded_edge", X, Y, Z);
+  solid.volume -= corner * Y;
+  solid.area += (Pi / 2 - 2) * radius * Y - 2 * corner;
+  write(folder, "rounded_edge.step", fillet.Shape(), solid, 7, { { "tangentGroups", 5 } });
+}
+
+// The ridge of a roof, less sharp than any feature angle and yet an edge.
+void crease(Folder& folder)
+{
+  const double degrees = 3;
+  const double rise = X / 2 * std::tan(degrees / 2 * Degree);
+  const TopoDS_Shape shape =
+    prism({ { 0, 0, 0 }, { X, 0, 0 }, { X, 0, Z }, { X / 2, 0, Z + rise }, { 0, 0, Z } }, Y);
+  const double section = X * (Z + rise / 2);
+  const SolidFacts solid{ "crease", section * Y,
+    2 * section + Y * (X + 2 * Z + 2 * std::hypot(X / 2, rise)) };
+  write(
+    folder, "crease.step", shape, solid, 7, { { "creaseDegrees", degrees }, { "sharpEdges", 15 } });
+}
+
+TopoDS_Edge polyline(const std::vector<gp_Pnt>& points)
+{
+  const int count = static_cast<int>(points.size());
+  TColgp_Array1OfPnt poles(1, count);
+  TColStd_Array1OfReal knots(1, count);
+  TColStd_Array1OfInteger multiplicities(1, count);
+  for (int i = 1; i <= count; ++i)
+  {
+    poles(i) = points[static_cast<std::size_t>(i - 1)];
+    knots(i) = i;
+    multiplicities(i) = (i == 1 || i == count) ? 2 : 1;
+  }
+  return BRepBuilderAPI_MakeEdge(new Geom_BSplineCurve(poles, knots, multiplicities, 1));
+}
+
+// One face with three kinks (a B-spline of degree 1, extruded) above a cuboid's other five.
+void kinks(Folder& folder)
+{
+  const std::vector<gp_Pnt> top = { { 0, 0, 10 }, { 5, 0, 12 }, { 10, 0, 9 }, { 15, 0, 12 },
+    { 20, 0, 10 } };
+  BRepBuilderAPI_MakeWire wire(polyline(top));
+  wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(20, 0, 10), gp_Pnt(20, 0, 0)));
+  wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(20, 0, 0), gp_Pnt(0, 0, 0)));
+  wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(0, 0, 10)));
+  const double depth = 8;
+  const TopoDS_Shape shape =
+    BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, depth, 0)).Shape();
+  const double section = 5 * (11 + 10.5 + 10.5 + 11);
+  const double length = 2 * (std::hypot(5.0, 2.0) + std::hypot(5.0, 3.0)) + 10 + 20 + 10;
+  write(folder, "kinks.step", shape, { "kinks", section * depth, 2 * section + depth * length }, 6,
+    { { "kinks", 3 } }, Integrals::Adaptive);
+}
+
+// Two pipes of one radius through each other, which share Steinmetz's solid: 16/3 r^3, and 16 r^2 of their walls.
+void crossingPipes(Folder& folder)
+{
+  const double radius = 5, length = 40;
+  const TopoDS_Shape one = cylinder(gp_Ax2(gp_Pnt(-length / 2, 0, 0), gp::DX()), radius, length);
+  const TopoDS_Shape other = cylinder(gp_Ax2(gp_Pnt(0, -length / 2, 0), gp::DY()), radius, length);
+  const double section = Pi * radius * radius;
+  const SolidFacts solid{ "crossing_pipes", 2 * section * length - 16.0 / 3 * std::pow(radius, 3),
+    4 * section + 4 * Pi * radius * length - 16 * radius * radius };
+  const TopoDS_Shape shape = fused(one, other);
+  write(folder, "crossing_pipes.step", shape, solid, 8, { { "tangentGroups", 8 } });
+}
+
+void torus(Folder& folder)
+{
+  const double large = 10, small = 3;
+  write(folder, "torus.step", BRepPrimAPI_MakeTorus(large, small).Shape(),
+    { "torus", 2 * Pi * Pi * large * small * small, 4 * Pi * Pi * large * small }, 1);
+}
+
+void sphere(Folder& folder)
+{
+  const double radius = 5;
+  const SolidFacts solid{ "sphere", 4.0 / 3 * Pi * std::pow(radius, 3), 4 * Pi * radius * radius };
+  write(folder, "sphere.step", BRepPrimAPI_MakeSphere(radius).Shape(), solid, 1);
+}
+
+void cone(Folder& folder)
+{
+  const double radius = 5, height = 12;
+  const SolidFacts solid{ "cone", Pi * radius * radius * height / 3,
+    Pi * radius * (radius + std::hypot(radius, height)) };
+  write(folder, "cone.step", BRepPrimAPI_MakeCone(radius, 0, height).Shape(), solid, 2);
+}
+
+// Rational B-splines instead of planes and a cylinder.
+void splines(Folder& folder)
+{
+  SolidFacts solid = boxWithHoleFacts("splines", X, Y, Z, 3);
+  write(folder, "splines.step", BRepBuilderAPI_NurbsConvert(boxWithHole(X, Y, Z, 3)).Shape(), solid,
+    7, {}, Integrals::Adaptive);
+}
+
+}
+
+const std::map<std::string, Part> Curved = { { "rounded box", roundedBox },
+  { "rounded edge", roundedEdge }, { "crease", crease }, { "kinks", kinks },
+  { "crossing pipes", crossingPipes }, { "torus", torus }, { "sphere", sphere }, { "cone", cone },
+  { "splines", splines } };
+
+}

@@ -1,0 +1,165 @@
+// Faces that form no solid, and files that hold surfaces only.
+#include "Parts.h"
+#include "Shapes.h"
+
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Shell.hxx>
+
+namespace cartesian
+{
+
+namespace
+{
+
+TopoDS_Shape shell(const std::vector<TopoDS_Face>& faces)
+{
+  BRep_Builder builder;
+  TopoDS_Shell result;
+  builder.MakeShell(result);
+  for (const TopoDS_Face& face : faces)
+  {
+    builder.Add(result, face);
+  }
+  return result;
+}
+
+// One side of a cube in squares, each smaller by half a gap all around.
+void addSide(std::vector<TopoDS_Face>& faces, const gp_Pnt& corner, const gp_Dir& one,
+  const gp_Dir& other, double square, int count, double gap)
+{
+  const double side = square - gap;
+  for (int i = 0; i < count; ++i)
+  {
+    for (int j = 0; j < count; ++j)
+    {
+      const gp_Vec start =
+        gp_Vec(one) * (i * square + gap / 2) + gp_Vec(other) * (j * square + gap / 2);
+      faces.push_back(
+        rectangle(corner.Translated(start), gp_Vec(one) * side, gp_Vec(other) * side));
+    }
+  }
+}
+
+// A cube of 10 from squares that do not touch: *gap* between neighbours in a side, 0.7 of it at the cube's edges.
+std::vector<TopoDS_Face> looseCube(int count, double gap)
+{
+  const double side = 10;
+  const gp_Pnt low = gp::Origin(), high(side, side, side);
+  const gp_Dir x = gp::DX(), y = gp::DY(), z = gp::DZ();
+  std::vector<TopoDS_Face> faces;
+  addSide(faces, high, x.Reversed(), y.Reversed(), side / count, count, gap); // z = 10 is first
+  addSide(faces, low, y, x, side / count, count, gap);
+  addSide(faces, low, z, y, side / count, count, gap);
+  addSide(faces, low, x, z, side / count, count, gap);
+  addSide(faces, high, y.Reversed(), z.Reversed(), side / count, count, gap);
+  addSide(faces, high, z.Reversed(), x.Reversed(), side / count, count, gap);
+  return faces;
+}
+
+// Closes at a heal tolerance of two gaps; its volume is then 1000 to the gap times the area.
+void gaps(Folder& folder)
+{
+  const double gap = 1e-4;
+  const std::vector<TopoDS_Face> faces = looseCube(2, gap);
+  Document document;
+  document.add(shell(faces), "shell");
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    document.nameSubshape(faces[i], i < 4 ? "top" : "rest");
+  }
+  const double square = (5 - gap) * (5 - gap);
+  Facts facts;
+  facts.area = 24 * square;
+  facts.faces = 24;
+  facts.openEdges = 96;
+  facts.boundaries = { { "top", 4 * square }, { "rest", 20 * square } };
+  facts.others = { { "gap", gap }, { "closedVolume", 1000 } };
+  folder.step("gaps.step", document, facts);
+}
+
+// They touch, but know nothing of each other, and half of them look inwards.
+void sixFaces(Folder& folder)
+{
+  std::vector<TopoDS_Face> faces = looseCube(1, 0);
+  for (std::size_t i = 0; i < faces.size(); i += 2)
+  {
+    faces[i].Reverse();
+  }
+  Facts facts;
+  facts.area = 600;
+  facts.faces = 6;
+  facts.openEdges = 24;
+  facts.others = { { "closedVolume", 1000 } };
+  Document document;
+  document.add(compound({ faces.begin(), faces.end() }), "faces");
+  folder.step("six_faces.step", document, facts);
+  folder.brep("six_faces.brep", document.shape(), facts);
+}
+
+TopoDS_Shape angledSheet(const gp_Vec& from)
+{
+  BRepBuilderAPI_MakePolygon line;
+  line.Add(gp::Origin().Translated(from));
+  line.Add(gp_Pnt(10, 0, 0).Translated(from));
+  line.Add(gp_Pnt(10, 0, 5).Translated(from));
+  return BRepPrimAPI_MakePrism(line.Wire(), gp_Vec(0, 4, 0)).Shape();
+}
+
+void sheet(Folder& folder)
+{
+  Document document;
+  document.add(angledSheet({ 0, 0, 0 }), "sheet");
+  Facts facts;
+  facts.area = 60;
+  facts.faces = 2;
+  facts.openEdges = 6;
+  folder.step("sheet.step", document, facts);
+}
+
+void solidAndSheet(Folder& folder)
+{
+  Document document;
+  document.add(box(gp::Origin(), { 10, 10, 10 }), "cube");
+  document.add(angledSheet({ 20, 0, 0 }), "sheet");
+  Facts facts;
+  facts.solids = { boxFacts("cube", 10, 10, 10) };
+  facts.area = 660;
+  facts.faces = 8;
+  facts.openEdges = 6;
+  folder.step("solid_and_sheet.step", document, facts);
+}
+
+// Each face by itself in the file; the facts are those of the sewn solid.
+void igesFaces(Folder& folder)
+{
+  Facts facts;
+  facts.solids = { boxWithHoleFacts("", 30, 20, 10, 3) };
+  facts.faces = 7;
+  const TopoDS_Shape shape = boxWithHole(30, 20, 10, 3);
+  folder.iges("faces.igs", shape, IgesForm::Faces, facts);
+  folder.iges("faces_inch.igs", shape, IgesForm::Faces, facts, "INCH");
+  folder.iges("solid.igs", shape, IgesForm::Solid, facts);
+  folder.brep("solid.brep", shape, facts);
+}
+
+void igesSphere(Folder& folder)
+{
+  const double radius = 5;
+  Facts facts;
+  facts.solids = { { "", 4.0 / 3 * Pi * radius * radius * radius, 4 * Pi * radius * radius } };
+  facts.faces = 1;
+  const TopoDS_Shape shape = BRepPrimAPI_MakeSphere(radius).Shape();
+  folder.iges("sphere.igs", shape, IgesForm::Faces, facts);
+  folder.iges("sphere_solid.igs", shape, IgesForm::Solid, facts);
+}
+
+}
+
+const std::map<std::string, Part> Surfaces = { { "gaps", gaps }, { "six faces", sixFaces },
+  { "sheet", sheet }, { "solid and sheet", solidAndSheet }, { "IGES faces", igesFaces },
+  { "IGES sphere", igesSphere } };
+
+}
