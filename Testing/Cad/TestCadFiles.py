@@ -250,6 +250,19 @@ def test_points_are_on_the_surface():
         assert np.abs(radii - 5).max() < 1e-9, file
 
 
+def test_same_twice():
+    """Triangles are made by several threads."""
+    one, other = (read("bolted_plates.step", GlueSolids=True) for _ in range(2))
+    for a, b in zip(one.solids, other.solids):
+        assert np.array_equal(a.points, b.points) and np.array_equal(a.triangles, b.triangles), a.name
+        assert np.array_equal(a.lines, b.lines) and np.array_equal(a.ids, b.ids), a.name
+
+
+def test_time_limit():
+    content = Content(FOLDER / "bolted_plates.step", TimeLimit=0.001)
+    assert content.is_error and "Time Limit" in content.said and not content.blocks, content.said
+
+
 def main():
     failures = 0
     for name, test in list(globals().items()):
