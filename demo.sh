@@ -1,7 +1,7 @@
 #!/bin/sh
 # ./demo.sh [SURFACE] [CELL_SIZE]
 #
-# Meshes a surface (STL, OBJ, PLY or VTP), prints the statistics, and writes the mesh (.vtu) and a
+# Meshes a surface (STL, OBJ, PLY, VTP, STEP, IGES or BREP), prints the statistics, and writes the mesh (.vtu) and a
 # picture of it cut open (.png) into the current folder. CELL_SIZE is a length in the surface's
 # units; without it, 1/50 of the longest side of the surface's bounding box.
 set -eu

@@ -65,7 +65,7 @@ vtkCADReader::vtkCADReader()
 
 vtkCADReader::~vtkCADReader()
 {
-  this->SetFileName(nullptr);
+  delete[] this->FileName;
 }
 
 int vtkCADReader::FillOutputPortInformation(int /*port*/, vtkInformation* info)
@@ -118,12 +118,18 @@ std::vector<std::string> vtkCADReader::Arguments() const
 int vtkCADReader::RequestData(
   vtkInformation* request, vtkInformationVector** /*input*/, vtkInformationVector* output)
 {
-  this->FoundSolids->Reset();
-  this->Findings->Reset();
   if (IsLeftToFirstProcess(request, output))
   {
     return 1;
   }
+  vtkMultiBlockDataSet* const blocks = vtkMultiBlockDataSet::GetData(output);
+  if (this->TimeOfRead > this->GetMTime())
+  {
+    blocks->ShallowCopy(this->Read);
+    return 1;
+  }
+  this->FoundSolids->Reset();
+  this->Findings->Reset();
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     this->Check();
     execution.stage("Reading the CAD file", 0, 1);
@@ -133,8 +139,10 @@ int vtkCADReader::RequestData(
     {
       this->Warn(warning);
     }
-    cartesian::cadBlocks(content, vtkMultiBlockDataSet::GetData(output));
+    cartesian::cadBlocks(content, blocks);
     this->Describe(content);
+    this->Read->ShallowCopy(blocks);
+    this->TimeOfRead.Modified();
   });
   return 1;
 }

@@ -11,7 +11,7 @@
  * Cell arrays: BoundaryId (int), the same numbers in all blocks; BoundaryName (string); SharpEdge (unsigned char), 1 of lines,
  * 0 of triangles. Field data of a block: BoundaryIds (int) and BoundaryNames (string), its boundaries; SolidName (string);
  * Volume and Area of the exact shape (Volume is 0 of one that is open), VolumeOfTriangles; OpenEdges, of triangles without
- * a neighbour.
+ * a neighbour; Deflection, the one that was asked for, also where it is the default.
  *
  * Open CASCADE reads the files, in a process of its own (Filters/Cad): it may crash on damaged files.
  *
@@ -25,9 +25,11 @@
 #include "vtkCartesianAlgorithm.h"
 #include "vtkCartesianMesherFiltersModule.h" // for the export macro
 #include "vtkNew.h"                          // for tables of what was found
+#include "vtkTimeStamp.h"                    // for the time of reading
 
 #include <string> // for names of files
 
+class vtkMultiBlockDataSet;
 class vtkStringArray;
 
 namespace cartesian
@@ -160,6 +162,9 @@ private:
   double TimeLimit = 1800;
   vtkNew<vtkStringArray> FoundSolids;
   vtkNew<vtkStringArray> Findings;
+  vtkNew<vtkMultiBlockDataSet>
+    Read; // the output: where there are ranks, several pieces are asked for, all of them the whole
+  vtkTimeStamp TimeOfRead;
 };
 
 #endif

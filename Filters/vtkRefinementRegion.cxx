@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementRegion.h"
 
+#include "ReportErrors.h"
 #include "SurfaceBlocks.h"
 #include "vtkCartesianAlgorithm.h"
 
+#include "vtkAppendPolyData.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkCubeSource.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
@@ -24,6 +27,22 @@ namespace
 // Of a sphere, once around.
 constexpr int Facets = 64;
 
+void CopyBlocks(vtkDataObject* blocks, vtkPolyData* output)
+{
+  if (blocks->GetNumberOfElements(vtkDataObject::CELL) == 0)
+  {
+    return; // those of other processes than the first
+  }
+  vtkNew<vtkAppendPolyData> together;
+  together->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  for (const cartesian::SurfaceBlock& block : cartesian::surfaceBlocks(blocks))
+  {
+    together->AddInputData(block.surface);
+  }
+  together->Update();
+  output->ShallowCopy(together->GetOutput());
+}
+
 }
 
 vtkStandardNewMacro(vtkRefinementRegion);
@@ -40,10 +59,18 @@ int vtkRefinementRegion::RequestData(
 {
   this->SetErrorCode(vtkErrorCode::NoError);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-  if (this->Shape == Input && input)
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
+  if (this->Shape == Input && vtkPolyData::SafeDownCast(input))
   {
     output->ShallowCopy(input);
+  }
+  else if (this->Shape == Input && vtkCompositeDataSet::SafeDownCast(input))
+  {
+    cartesian::reportErrors([&] { CopyBlocks(input, output); },
+      [this](unsigned long code, const std::string& message) {
+        this->SetErrorCode(code);
+        vtkErrorMacro(<< message);
+      });
   }
   else if (this->Shape == Sphere && this->Radius > 0)
   {

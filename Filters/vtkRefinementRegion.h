@@ -33,7 +33,7 @@ public:
   {
     Box = 0,
     Sphere = 1,
-    Input = 2 ///< the input, a closed surface (vtkPolyData)
+    Input = 2 ///< the input, a closed surface (vtkPolyData, or blocks of them)
   };
 
   ///@{

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TaskSources.h"
 
+#include "TaskCad.h"
 #include "TaskTables.h"
 
 #include "vtkNew.h"
@@ -30,19 +31,16 @@ void refuse(vtkSMProxy* source, const std::string& why, const std::string& input
     ": save its output (File > Save Data), open that file, and make it the " + input + ".");
 }
 
-namespace
+std::string differingSetting(vtkSMProxy* reader, vtkSMProxy* other)
 {
-
-// Settings of a reader that differ from those of another.
-std::string difference(vtkSMProxy* reader, vtkSMProxy* other, const std::string& except)
-{
+  const std::string file = vtkSMCoreUtilities::GetFileNameProperty(reader);
   vtkSmartPointer<vtkSMPropertyIterator> properties;
   properties.TakeReference(reader->NewPropertyIterator());
   for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
   {
     vtkSMProperty* const property = properties->GetProperty();
     if (vtkSMVectorProperty::SafeDownCast(property) && property->GetInformationOnly() == 0 &&
-      !property->GetIsInternal() && except != properties->GetKey() &&
+      !property->GetIsInternal() && file != properties->GetKey() &&
       valueOf(property) != valueOf(other->GetProperty(properties->GetKey())))
     {
       return property->GetXMLLabel();
@@ -50,6 +48,9 @@ std::string difference(vtkSMProxy* reader, vtkSMProxy* other, const std::string&
   }
   return "";
 }
+
+namespace
+{
 
 // As ParaView opens that file by itself.
 vtkSmartPointer<vtkSMProxy> usualReader(vtkSMProxy* reader, const std::string& file)
@@ -106,7 +107,8 @@ std::string fileOf(vtkSMProxy* source, unsigned int port, const std::string& inp
         ", which is not what a task takes (" + (usual ? usual->GetXMLLabel() : "none") + ")",
       input);
   }
-  if (const std::string label = difference(source, usual, property); !label.empty())
+  const std::string label = isCadReader(source) ? "" : differingSetting(source, usual);
+  if (!label.empty())
   {
     refuse(
       source, "has another " + label + " than a file just opened, which a task cannot say", input);

@@ -33,27 +33,6 @@ namespace cartesian
 namespace
 {
 
-// The shortest that reads back to the same number.
-std::string numberOf(double value)
-{
-  if (!std::isfinite(value))
-  {
-    return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
-  }
-  constexpr int Fewest = 15;
-  constexpr int Enough = 17;
-  std::array<char, 32> text{};
-  for (int digits = Fewest; digits <= Enough; ++digits)
-  {
-    std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-    if (std::strtod(text.data(), nullptr) == value)
-    {
-      break;
-    }
-  }
-  return text.data();
-}
-
 // One value; `kind`: the property that says what it is, itself or that of a table's row.
 std::string elementOf(vtkSMProperty* property, unsigned int i, vtkSMProperty* kind)
 {
@@ -71,7 +50,7 @@ std::string elementOf(vtkSMProperty* property, unsigned int i, vtkSMProperty* ki
     return tomlText(values.GetAsString(i));
   }
   return vtkSMIntVectorProperty::SafeDownCast(property) ? std::to_string(values.GetAsInt(i))
-                                                        : numberOf(values.GetAsDouble(i));
+                                                        : tomlNumber(values.GetAsDouble(i));
 }
 
 std::string join(const std::vector<std::string>& parts, const char* open, const char* close)
@@ -260,6 +239,26 @@ std::string tomlText(const std::string& text)
     }
   }
   return result + "\"";
+}
+
+std::string tomlNumber(double value)
+{
+  if (!std::isfinite(value))
+  {
+    return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+  }
+  constexpr int Fewest = 15;
+  constexpr int Enough = 17;
+  std::array<char, 32> text{};
+  for (int digits = Fewest; digits <= Enough; ++digits)
+  {
+    std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+    if (std::strtod(text.data(), nullptr) == value)
+    {
+      break;
+    }
+  }
+  return text.data();
 }
 
 std::string valueOf(vtkSMProperty* property)

@@ -26,6 +26,9 @@ std::string keyOf(const std::string& label);
 // A text in TOML.
 std::string tomlText(const std::string& text);
 
+// The shortest that reads back to the same number.
+std::string tomlNumber(double value);
+
 // All values of a property, in TOML.
 std::string valueOf(vtkSMProperty* property);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TaskWriter.h"
 
+#include "TaskCad.h"
 #include "TaskSources.h"
 #include "TaskTables.h"
 
@@ -27,8 +28,6 @@ namespace cartesian
 
 namespace
 {
-
-constexpr int InputShape = 2; // of Refinement Region
 
 // As a task file names it: relative to its folder, if the file is in there.
 std::string fromTask(const std::string& path, const std::string& task)
@@ -199,6 +198,7 @@ std::string taskOf(vtkSMProxy* mesher, const std::string& task)
       ofCase.entries.empty() ? tomlText(stem + ".vtu")
                              : list({ stem + ".vtu", stem + "/case.foam" }) } } });
   tables.push_back(ofCase);
+  tables.push_back(cadTable(mesher));
   return "# The settings of " + nameInBrowser(mesher) + ". cartesian-mesher " +
     file.filename().string() +
     " makes the same mesh; cartesian-mesher --template explains all keys.\n" + textOf(tables);

@@ -13,6 +13,7 @@ READERS = {
     ".obj": lambda name: WavefrontOBJReader(FileName=name),
     ".ply": lambda name: PLYReader(FileNames=[name]),
     ".vtp": lambda name: XMLPolyDataReader(FileName=[name]),
+    **dict.fromkeys([".step", ".stp", ".iges", ".igs", ".brep"], lambda name: CADReader(FileName=name)),
 }
 
 

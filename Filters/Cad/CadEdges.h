@@ -21,7 +21,7 @@ public:
   explicit CadEdges(const TopoDS_Shape& shape);
 
   // Whether the edge is sharp at that parameter. Where it bounds one face, or more than two, it is.
-  bool isSharpAt(const TopoDS_Shape& edge, double parameter) const;
+  bool isSharpAt(const TopoDS_Shape& shape, double parameter) const;
 
   // Numbers from 0, equal for faces that are joined by edges that are smooth all along, in order of facesOf().
   std::vector<int> tangentGroups(const TopoDS_Shape& shape) const;

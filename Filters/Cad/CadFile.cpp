@@ -6,18 +6,21 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <IGESCAFControl_Reader.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepShape_FaceSurface.hxx>
+#include <StepShape_ManifoldSolidBrep.hxx>
 #include <TColStd_HSequenceOfExtendedString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDF_Label.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
 #include <TopoDS_Compound.hxx>
@@ -42,8 +45,8 @@ namespace cartesian
 namespace
 {
 
-// Names of faces by the file, by what they share: faces of all instances of a part.
-using NamesByFace = std::map<const TopoDS_TShape*, std::string>;
+// Names of solids and faces by the file, by what all instances of a part share.
+using NamesOfShapes = std::map<const TopoDS_TShape*, std::string>;
 
 std::string toUtf8(const TCollection_ExtendedString& text)
 {
@@ -61,11 +64,18 @@ std::string hexadecimal(const Quantity_Color& color)
   return TCollection_AsciiString(Quantity_Color::ColorToHex(color, Standard_False)).ToCString();
 }
 
+TopTools_IndexedMapOfShape solidsOf(const TopoDS_Shape& shape)
+{
+  TopTools_IndexedMapOfShape solids;
+  TopExp::MapShapes(shape, TopAbs_SOLID, solids);
+  return solids;
+}
+
 // Collects the solids of an assembly, each instance by itself.
 class Assembly
 {
 public:
-  Assembly(const Handle(TDocStd_Document) & document, const NamesByFace& names)
+  Assembly(const Handle(TDocStd_Document) & document, const NamesOfShapes& names)
     : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main()))
     , colors_(XCAFDoc_DocumentTool::ColorTool(document->Main()))
     , layers_(XCAFDoc_DocumentTool::LayerTool(document->Main()))
@@ -124,10 +134,12 @@ private:
   {
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
     const std::string product = nameOf(label).empty() ? instance : nameOf(label);
-    for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
+    const TopTools_IndexedMapOfShape solids = solidsOf(shape);
+    for (int i = 1; i <= solids.Extent(); ++i)
     {
-      const std::string own = nameOfSubshape(solid.Current());
-      addPart(solid.Current(), place, own.empty() ? product : own, style);
+      // Of a single solid, the product's name is the better one.
+      const std::string own = solids.Extent() > 1 ? nameOfSubshape(solids(i)) : "";
+      addPart(solids(i), place, own.empty() ? product : own, instance, style);
     }
     TopoDS_Compound loose;
     BRep_Builder().MakeCompound(loose);
@@ -139,14 +151,14 @@ private:
     }
     if (isLoose)
     {
-      addPart(loose, place, product, style);
+      addPart(loose, place, product, instance, style);
     }
   }
 
   void addPart(const TopoDS_Shape& shape, const TopLoc_Location& place, const std::string& name,
-    const Style& outer)
+    const std::string& instance, const Style& outer)
   {
-    CadPart part{ shape.Moved(place), name, {} };
+    CadPart part{ shape.Moved(place), name, {}, instance };
     const Style style = styleOfShape(shape, outer);
     const TopTools_IndexedMapOfShape faces = facesOf(shape);
     for (int i = 1; i <= faces.Extent(); ++i)
@@ -161,10 +173,11 @@ private:
 
   std::string nameOfSubshape(const TopoDS_Shape& shape) const
   {
+    const auto named = names_.find(shape.TShape().get());
     TDF_Label label;
-    return shapes_->Search(shape, label, Standard_False, Standard_False, Standard_True)
-      ? nameOf(label)
-      : "";
+    return named != names_.end()                                                     ? named->second
+      : shapes_->Search(shape, label, Standard_False, Standard_False, Standard_True) ? nameOf(label)
+                                                                                     : "";
   }
 
   Style styleOf(const TDF_Label& label) const
@@ -205,31 +218,61 @@ private:
   Handle(XCAFDoc_ShapeTool) shapes_;
   Handle(XCAFDoc_ColorTool) colors_;
   Handle(XCAFDoc_LayerTool) layers_;
-  const NamesByFace& names_;
+  const NamesOfShapes& names_;
   std::vector<CadPart> parts_;
 };
 
-// Of the file's entities: the reader's own way to get them (read.stepcaf.subshapes.name) crashes on some files.
-NamesByFace namesOfFaces(const Handle(XSControl_WorkSession) & session)
+// Of the file's entities: the reader's own way to get them (read.stepcaf.subshapes.name) crashes on some files. Faces
+// of which nothing could be made are told.
+class Entities
 {
-  NamesByFace names;
-  const Handle(Transfer_TransientProcess) process = session->TransferReader()->TransientProcess();
-  for (int i = 1; i <= process->NbMapped(); ++i)
+public:
+  Entities(const Handle(XSControl_WorkSession) & session, const CadReport& report)
+    : process_(session->TransferReader()->TransientProcess())
   {
-    const Handle(StepShape_FaceSurface) face =
-      Handle(StepShape_FaceSurface)::DownCast(process->Mapped(i));
-    if (face.IsNull() || face->Name().IsNull() || face->Name()->IsEmpty())
+    const Handle(Interface_InterfaceModel) model = session->Model();
+    for (int i = 1; i <= model->NbEntities(); ++i)
     {
-      continue;
+      const Handle(StepRepr_RepresentationItem) item =
+        Handle(StepRepr_RepresentationItem)::DownCast(model->Value(i));
+      const bool isFace = !item.IsNull() && item->IsKind(STANDARD_TYPE(StepShape_FaceSurface));
+      if (isFace && !add(item, TopAbs_FACE))
+      {
+        lost_.emplace_back(model->StringLabel(item)->ToCString());
+      }
+      if (!item.IsNull() && item->IsKind(STANDARD_TYPE(StepShape_ManifoldSolidBrep)))
+      {
+        add(item, TopAbs_SOLID);
+      }
     }
-    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, face);
-    for (TopExp_Explorer part(shape, TopAbs_FACE); part.More(); part.Next())
+    if (!lost_.empty())
     {
-      names[part.Current().TShape().get()] = face->Name()->ToCString();
+      report.warning("Of " + std::to_string(lost_.size()) + " faces, " + lost_.front() +
+        " the first of them in the file, nothing could be made: there are holes. Export the part "
+        "again.");
     }
   }
-  return names;
-}
+
+  NamesOfShapes names;
+
+private:
+  // False if there is no such shape.
+  bool add(const Handle(StepRepr_RepresentationItem) & item, TopAbs_ShapeEnum kind)
+  {
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(process_, item);
+    for (TopExp_Explorer part(shape, kind); !shape.IsNull() && part.More(); part.Next())
+    {
+      if (!item->Name().IsNull() && !item->Name()->IsEmpty())
+      {
+        names[part.Current().TShape().get()] = item->Name()->ToCString();
+      }
+    }
+    return !shape.IsNull();
+  }
+
+  Handle(Transfer_TransientProcess) process_;
+  std::vector<std::string> lost_;
+};
 
 Handle(TDocStd_Document) newDocument()
 {
@@ -267,10 +310,10 @@ CadFile readStep(const std::string& path, const CadReport& report)
   const Handle(CadProgress) progress = new CadProgress(report, 0.3, 0.5);
   if (!reader.Transfer(document, progress->Start()))
   {
-    refuse(path, "has no shapes that can be made");
+    refuse(path, "holds no shapes: it is empty, damaged, or of another format. Export it again");
   }
-  const NamesByFace names = namesOfFaces(reader.Reader().WS());
-  return { Assembly(document, names).parts(), true };
+  const Entities entities(reader.Reader().WS(), report);
+  return { Assembly(document, entities.names).parts(), true };
 }
 
 CadFile readIges(const std::string& path, const CadReport& report)
@@ -287,7 +330,7 @@ CadFile readIges(const std::string& path, const CadReport& report)
   const Handle(CadProgress) progress = new CadProgress(report, 0.3, 0.5);
   if (!reader.Transfer(document, progress->Start()))
   {
-    refuse(path, "has no shapes that can be made");
+    refuse(path, "holds no shapes: it is empty, damaged, or of another format. Export it again");
   }
   return { Assembly(document, {}).parts(), false };
 }
@@ -298,42 +341,12 @@ CadFile readBrep(const std::string& path)
   BRep_Builder builder;
   if (!BRepTools::Read(shape, path.c_str(), builder) || shape.IsNull())
   {
-    refuse(path, "cannot be read as BREP: it is damaged, cut off, or of another format");
+    refuse(path,
+      "cannot be read as BREP: it is damaged, cut off, or of another format. Export it again");
   }
   Handle(TDocStd_Document) document = newDocument();
   XCAFDoc_DocumentTool::ShapeTool(document->Main())->AddShape(shape, Standard_False);
   return { Assembly(document, {}).parts(), true };
-}
-
-// Faces that belong to no solid may belong together.
-void uniteLoose(std::vector<CadPart>& parts)
-{
-  std::vector<CadPart> united;
-  CadPart loose;
-  FaceHistory faces;
-  TopoDS_Compound all;
-  BRep_Builder().MakeCompound(all);
-  for (CadPart& part : parts)
-  {
-    if (part.shape.ShapeType() == TopAbs_SOLID)
-    {
-      united.push_back(std::move(part));
-      continue;
-    }
-    loose.name = loose.name.empty() ? part.name : loose.name;
-    faces.add(part);
-    for (TopExp_Explorer face(part.shape, TopAbs_FACE); face.More(); face.Next())
-    {
-      BRep_Builder().Add(all, face.Current());
-    }
-  }
-  if (TopExp_Explorer(all, TopAbs_FACE).More())
-  {
-    loose.shape = all;
-    loose.faces = faces.of(all);
-    united.push_back(std::move(loose));
-  }
-  parts = std::move(united);
 }
 
 }
@@ -348,7 +361,6 @@ CadFile readCadFile(const std::string& given, const CadReport& report)
   CadFile file = suffix == ".igs" || suffix == ".iges" ? readIges(path, report)
     : suffix == ".brep"                                ? readBrep(path)
                                                        : readStep(path, report);
-  uniteLoose(file.parts);
   const auto isEmpty = [](const CadPart& part) { return part.faces.empty(); };
   file.parts.erase(std::remove_if(file.parts.begin(), file.parts.end(), isEmpty), file.parts.end());
   if (file.parts.empty())

@@ -16,6 +16,6 @@ struct CadFile
 };
 
 // Throws CadError: the file cannot be read, or has neither solids nor faces.
-CadFile readCadFile(const std::string& path, const CadReport& report);
+CadFile readCadFile(const std::string& given, const CadReport& report);
 
 }

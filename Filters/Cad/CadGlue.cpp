@@ -4,15 +4,17 @@
 #include "CadProgress.h"
 
 #include <BOPAlgo_Builder.hxx>
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 
-#include <map>
+#include <algorithm>
 #include <sstream>
 
 namespace cartesian
@@ -31,7 +33,8 @@ public:
     fuse_.SetRunParallel(Standard_True);
     for (const CadPart& part : parts)
     {
-      copies_.push_back({ BRepBuilderAPI_Copy(part.shape).Shape(), part.name, part.faces });
+      copies_.push_back(
+        { BRepBuilderAPI_Copy(part.shape).Shape(), part.name, part.faces, part.instance });
       fuse_.AddArgument(copies_.back().shape);
     }
   }
@@ -76,7 +79,7 @@ public:
     for (int i = 1; i <= solids.Extent(); ++i)
     {
       BRep_Builder().Add(all, solids(i));
-      made.push_back({ {}, names[static_cast<std::size_t>(i - 1)], history_.of(solids(i)) });
+      made.push_back({ {}, names[static_cast<std::size_t>(i - 1)], history_.of(solids(i)), {} });
     }
     // Points and lines inside a face, where another solid touches it: triangles around them are far off.
     BRepTools::RemoveInternals(all, Standard_True);
@@ -158,6 +161,27 @@ void glue(std::vector<CadPart>& parts, const CadOptions& options, const CadRepor
   report.note("Glued: " + std::to_string(solids.size()) + " solids.");
   glued.insert(glued.end(), sheets.begin(), sheets.end());
   parts = std::move(glued);
+}
+
+void noteNeighbours(const std::vector<CadPart>& parts, const CadReport& report)
+{
+  std::vector<Bnd_Box> boxes;
+  for (const CadPart& part : parts)
+  {
+    BRepBndLib::AddOptimal(part.shape, boxes.emplace_back(), Standard_False, Standard_False);
+  }
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    pairs += static_cast<std::size_t>(
+      std::count_if(boxes.begin(), boxes.begin() + static_cast<std::ptrdiff_t>(i),
+        [&](const Bnd_Box& other) { return !boxes[i].IsOut(other); }));
+  }
+  if (pairs > 0)
+  {
+    report.note("Solids: " + std::to_string(parts.size()) + ". Pairs that may touch: " +
+      std::to_string(pairs) + ". To mesh solids that touch as regions, switch on Glue Solids.");
+  }
 }
 
 }

@@ -13,10 +13,12 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 
 #include <array>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 namespace cartesian
 {
@@ -90,66 +92,148 @@ Sewn sewAsNeeded(const CadPart& part, bool hasTopology, const CadOptions& option
   return best;
 }
 
-// A part of its own for each closed shell, which is a solid then; one for all that stays open.
-std::vector<CadPart> partsOf(const Sewn& sewn, const std::string& name)
+bool isSolid(const CadPart& part)
+{
+  return part.shape.ShapeType() == TopAbs_SOLID;
+}
+
+TopoDS_Solid solidOf(const TopoDS_Shell& shell)
+{
+  ShapeFix_Shell fix;
+  fix.FixFaceOrientation(shell);
+  TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(fix.Shell()).Solid();
+  BRepLib::OrientClosedSolid(solid);
+  return solid;
+}
+
+// A single face has no shell.
+std::vector<TopoDS_Shell> shellsOf(const TopoDS_Shape& shape)
+{
+  std::vector<TopoDS_Shell> shells;
+  for (TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next())
+  {
+    shells.push_back(TopoDS::Shell(shell.Current()));
+  }
+  for (TopExp_Explorer face(shape, TopAbs_FACE, TopAbs_SHELL); face.More(); face.Next())
+  {
+    BRep_Builder().MakeShell(shells.emplace_back());
+    BRep_Builder().Add(shells.back(), face.Current());
+  }
+  return shells;
+}
+
+// A solid of each closed shell; what stays open is one part.
+std::vector<CadPart> partsOf(const Sewn& sewn, const CadPart& former)
 {
   FaceHistory history;
-  history.add({ sewn.shape, name, sewn.faces });
+  history.add({ sewn.shape, former.name, sewn.faces, former.instance });
   std::vector<CadPart> parts;
   TopoDS_Compound open;
   BRep_Builder().MakeCompound(open);
-  const auto keep = [&](const TopoDS_Shape& shape) { BRep_Builder().Add(open, shape); };
-  for (TopExp_Explorer shell(sewn.shape, TopAbs_SHELL); shell.More(); shell.Next())
+  for (const TopoDS_Shell& shell : shellsOf(sewn.shape))
   {
-    if (freeEdges(shell.Current()).Extent() > 0)
+    if (freeEdges(shell).IsEmpty())
     {
-      keep(shell.Current());
-      continue;
+      const TopoDS_Solid solid = solidOf(shell);
+      parts.push_back({ solid, former.name, history.of(solid), former.instance });
     }
-    ShapeFix_Shell fix(TopoDS::Shell(shell.Current())); // faces turned alike
-    fix.FixFaceOrientation(TopoDS::Shell(shell.Current()));
-    TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(fix.Shell()).Solid();
-    BRepLib::OrientClosedSolid(solid);
-    parts.push_back({ solid, name, history.of(solid) });
-  }
-  for (TopExp_Explorer face(sewn.shape, TopAbs_FACE, TopAbs_SHELL); face.More(); face.Next())
-  {
-    keep(face.Current());
+    else
+    {
+      BRep_Builder().Add(open, shell);
+    }
   }
   if (TopExp_Explorer(open, TopAbs_FACE).More())
   {
-    parts.push_back({ open, name, history.of(open) });
+    parts.push_back({ open, former.name, history.of(open), former.instance });
   }
   return parts;
 }
+
+CadPart united(const std::vector<CadPart>& parts)
+{
+  CadPart all;
+  FaceHistory history;
+  TopoDS_Compound faces;
+  BRep_Builder().MakeCompound(faces);
+  for (const CadPart& part : parts)
+  {
+    all.name = all.name.empty() ? part.name : all.name;
+    history.add(part);
+    for (TopExp_Explorer face(part.shape, TopAbs_FACE); face.More(); face.Next())
+    {
+      BRep_Builder().Add(faces, face.Current());
+    }
+  }
+  all.shape = faces;
+  all.faces = history.of(faces);
+  return all;
+}
+
+class Healing
+{
+public:
+  Healing(bool hasTopology, const CadOptions& options, const CadReport& report)
+    : hasTopology_(hasTopology)
+    , options_(options)
+    , report_(report)
+  {
+  }
+
+  // Faces of one product first; what is open then may go with others'.
+  void add(CadPart part)
+  {
+    const bool mayStay = options_.healTolerance <= 0 && hasTopology_;
+    if (isSolid(part) && (mayStay || freeEdges(part.shape).IsEmpty()))
+    {
+      parts.push_back(std::move(part));
+      return;
+    }
+    for (CadPart& made : sewn(part))
+    {
+      (isSolid(made) ? parts : open_).push_back(std::move(made));
+    }
+  }
+
+  void end()
+  {
+    const std::vector<CadPart> left =
+      open_.size() > 1 ? sewn(united(open_)) : std::exchange(open_, {});
+    parts.insert(parts.end(), left.begin(), left.end());
+  }
+
+  std::vector<CadPart> parts;
+
+private:
+  std::vector<CadPart> sewn(const CadPart& part)
+  {
+    const int before = freeEdges(part.shape).Extent();
+    const Sewn sewing = sewAsNeeded(part, hasTopology_, options_);
+    if (sewing.open < before)
+    {
+      report_.note("Sewn: " + (part.name.empty() ? "faces" : part.name) + " at " +
+        placeOf(part.shape, options_.unit) + ", free edges " + std::to_string(before) +
+        " before, " + std::to_string(sewing.open) + " after.");
+    }
+    return partsOf(sewing, part);
+  }
+
+  bool hasTopology_;
+  const CadOptions& options_;
+  const CadReport& report_;
+  std::vector<CadPart> open_;
+};
 
 }
 
 void heal(CadFile& file, const CadOptions& options, const CadReport& report)
 {
-  std::vector<CadPart> healed;
+  Healing healing(file.hasTopology, options, report);
   for (CadPart& part : file.parts)
   {
-    const int before = freeEdges(part.shape).Extent();
-    const bool isSolid = part.shape.ShapeType() == TopAbs_SOLID;
-    if (isSolid && (before == 0 || (options.healTolerance <= 0 && file.hasTopology)))
-    {
-      healed.push_back(std::move(part));
-      continue;
-    }
-    const Sewn sewn = sewAsNeeded(part, file.hasTopology, options);
-    if (sewn.open < before)
-    {
-      report.note("Sewn: " + (part.name.empty() ? "faces" : part.name) + " at " +
-        placeOf(part.shape, options.unit) + ", free edges " + std::to_string(before) + " before, " +
-        std::to_string(sewn.open) + " after.");
-    }
-    for (CadPart& made : partsOf(sewn, part.name))
-    {
-      healed.push_back(std::move(made));
-    }
+    healing.add(std::move(part));
   }
-  file.parts = std::move(healed);
+  healing.end();
+  file.parts = std::move(healing.parts);
 }
 
 }

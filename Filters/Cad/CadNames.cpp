@@ -154,6 +154,7 @@ CadBoundaries byFaces(const std::vector<CadPart>& parts)
 CadBoundaries byGroups(const std::vector<CadPart>& parts)
 {
   std::vector<std::vector<int>> groups;
+  groups.reserve(parts.size());
   for (const CadPart& part : parts)
   {
     groups.push_back(CadEdges(part.shape).tangentGroups(part.shape));
@@ -164,27 +165,56 @@ CadBoundaries byGroups(const std::vector<CadPart>& parts)
   });
 }
 
+// "NAUO1", "9".
+bool isNumbered(const std::string& instance)
+{
+  const std::string digits = instance.rfind("NAUO", 0) == 0 ? instance.substr(4) : instance;
+  return std::all_of(
+    digits.begin(), digits.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+// Whether the assembly tells instances apart, by names that no other solid has.
+bool instancesDiffer(const std::vector<CadPart*>& parts, const std::set<std::string>& taken)
+{
+  std::set<std::string> names;
+  for (const CadPart* part : parts)
+  {
+    if (isNumbered(part->instance) || taken.count(part->instance) > 0 ||
+      !names.insert(part->instance).second)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 }
 
 void numberAlike(std::vector<CadPart>& parts, const std::string& other)
 {
-  std::map<std::string, int> count;
+  std::map<std::string, std::vector<CadPart*>> alike;
+  std::set<std::string> taken;
   for (CadPart& part : parts)
   {
     const bool isNamed = !part.name.empty() && part.name.rfind(NameByTranslator, 0) != 0;
     part.name = isNamed ? part.name : other;
-    ++count[part.name];
+    alike[part.name].push_back(&part);
+    taken.insert(part.name);
   }
-  std::map<std::string, int> number;
-  for (CadPart& part : parts)
+  for (auto& [name, having] : alike)
   {
-    if (count[part.name] > 1)
+    if (having.size() == 1)
     {
-      const std::string common = part.name;
+      continue;
+    }
+    const bool areTold = instancesDiffer(having, taken);
+    int number = 0;
+    for (CadPart* part : having)
+    {
       do
       {
-        part.name = common + "_" + std::to_string(++number[common]);
-      } while (count.count(part.name) > 0);
+        part->name = areTold ? part->instance : name + "_" + std::to_string(++number);
+      } while (!taken.insert(part->name).second);
     }
   }
 }

@@ -16,7 +16,8 @@ struct CadBoundaries
   std::vector<std::vector<std::int32_t>> ofFace; // of each part, in order of facesOf()
 };
 
-// Gives solids of one name names that differ: bolt_1, bolt_2. Those without one are called `other`.
+// Gives solids of one name names that differ: those of the instances, if these do, else bolt_1, bolt_2. Those without a
+// name are called `other`.
 void numberAlike(std::vector<CadPart>& parts, const std::string& other);
 
 // Faces of one name in one part are one boundary; names that several parts have are numbered. Colours and layers are

@@ -10,6 +10,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
+#include <array>
 #include <cstdio>
 
 namespace cartesian
@@ -52,10 +53,10 @@ std::string placeOf(const TopoDS_Shape& shape, double unit)
   }
   const gp_Pnt low = box.CornerMin();
   const gp_Pnt high = box.CornerMax();
-  char text[128];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", (low.X() + high.X()) / 2 / unit,
+  std::array<char, 128> text{};
+  std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g)", (low.X() + high.X()) / 2 / unit,
     (low.Y() + high.Y()) / 2 / unit, (low.Z() + high.Z()) / 2 / unit);
-  return text;
+  return text.data();
 }
 
 void FaceHistory::add(const CadPart& part)

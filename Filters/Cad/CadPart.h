@@ -37,6 +37,7 @@ struct CadPart
   TopoDS_Shape shape; // placed, in millimetres
   std::string name;
   std::vector<FaceAttributes> faces; // in order of facesOf(shape)
+  std::string instance;              // what the assembly calls this one of several
 };
 
 // Each once; from 1.

@@ -249,6 +249,21 @@ private:
       BRepGProp::VolumeProperties(part_.shape, inside);
       solid_.volume = inside.Mass() / (unit_ * unit_ * unit_);
     }
+    if (solid_.volume < 0)
+    {
+      turnOver();
+    }
+  }
+
+  // A solid that the file has inside out.
+  void turnOver()
+  {
+    solid_.volume = -solid_.volume;
+    solid_.volumeOfTriangles = -solid_.volumeOfTriangles;
+    for (std::size_t i = 0; i < solid_.triangles.size(); i += 3)
+    {
+      std::swap(solid_.triangles[i + 1], solid_.triangles[i + 2]);
+    }
   }
 
   CadWeld& weld_;
@@ -325,12 +340,14 @@ std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,
   const CadBoundaries& boundaries, const CadOptions& options, const CadReport& report)
 {
   const TopoDS_Compound all = together(parts);
-  double deflection = options.deflection > 0 ? options.deflection * options.unit
-                                             : DeflectionOfSize * longestSide(all);
-  if (!(deflection > 0))
+  // In the unit of the result: given back as an option, it makes the same triangles, bit for bit.
+  const double asked = options.deflection > 0 ? options.deflection
+                                              : DeflectionOfSize * longestSide(all) / options.unit;
+  if (!(asked > 0))
   {
     throw CadError("The shapes have no extent: export the part again.");
   }
+  double deflection = asked * options.unit;
   Attempt best;
   for (int i = 0; i < MostTries && (i == 0 || best.flaws > 0); ++i, deflection /= 2)
   {
@@ -346,6 +363,7 @@ std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
     tell(parts[p], best.solids[p], best.deflection, options, report);
+    best.solids[p].deflection = asked;
   }
   return std::move(best.solids);
 }

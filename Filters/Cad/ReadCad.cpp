@@ -5,6 +5,7 @@
 #include "CadFile.h"
 #include "CadGlue.h"
 #include "CadHeal.h"
+#include "CadKinks.h"
 #include "CadMerge.h"
 #include "CadNames.h"
 #include "CadTriangles.h"
@@ -85,6 +86,7 @@ void read(const std::string& path, const CadOptions& options, Output& output)
 
   CadFile file = readCadFile(path, report);
   heal(file, options, report);
+  divideAtKinks(file.parts, report);
   if (options.mergesCoplanar)
   {
     mergeCoplanar(file.parts, report);
@@ -95,6 +97,10 @@ void read(const std::string& path, const CadOptions& options, Output& output)
   {
     glue(file.parts, options, report);
     numberAlike(file.parts, name);
+  }
+  else
+  {
+    noteNeighbours(file.parts, report);
   }
   const CadBoundaries boundaries = boundariesOf(file.parts, options.names, report);
   output.write(Record::Names, boundaries.names);

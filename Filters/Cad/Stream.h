@@ -144,6 +144,7 @@ struct CadSolid
   std::vector<std::int32_t> boundaryOfLine;
   double volume = 0; // of the exact shape; 0 if it is open
   double area = 0;   // of the exact shape
+  double deflection = 0;
   double volumeOfTriangles = 0;
   std::int32_t openEdges = 0; // of triangles that lack a neighbour
 
@@ -160,6 +161,7 @@ struct CadSolid
     with(volume);
     with(area);
     with(volumeOfTriangles);
+    with(deflection);
     with(openEdges);
   }
 };

@@ -86,6 +86,7 @@ void setFieldData(const CadSolid& solid, const std::vector<std::string>& names, 
   setField(block, "Volume", { solid.volume });
   setField(block, "VolumeOfTriangles", { solid.volumeOfTriangles });
   setField(block, "Area", { solid.area });
+  setField(block, "Deflection", { solid.deflection });
   setField(block, "OpenEdges", { double(solid.openEdges) });
 }
 

@@ -247,6 +247,11 @@ def parameters(name, group="filters"):
     return [found.pop(name) for name in tables if name in found] + list(found.values())
 
 
+def extensions(name):
+    """Of the files that this reader opens, without dots."""
+    return _prototype("sources", name).GetHints().FindNestedElementByName("ReaderFactory").GetAttribute("extensions").split()
+
+
 def names(name):
     """Their names in Python."""
     return [parameter.name for parameter in parameters(name)] + \

@@ -25,7 +25,7 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 import writing
 from parameters import names, parameters
-from task import MESHER, TaskError, printable, read_task
+from task import CAD_READER, MESHER, TaskError, printable, read_task
 from template import template
 
 VERSION = (pathlib.Path(__file__).parent / "version.txt").read_text().strip()
@@ -38,15 +38,20 @@ STOPPED = 128 + signal.SIGINT
 class Listener:
     """Prints and keeps a filter's messages while it works; stops it on Ctrl-C."""
 
-    def __init__(self, filter, quiet):
-        self.warnings, self.errors, self.stage, self.quiet = [], [], "", quiet
+    def __init__(self, filter, quiet, warnings=()):
+        self.warnings, self.errors, self.stage, self.quiet = [*warnings], [], "", quiet
         self.interrupted = False
         self.algorithm = filter.SMProxy.GetClientSideObject()
         signal.signal(signal.SIGINT, self.interrupt)
-        for event, hear in (("WarningEvent", self.warn), ("ErrorEvent", self.fail)):
+        for hear in self.warn, self.fail:
             hear.__func__.CallDataType = "string0"
-            self.algorithm.AddObserver(event, hear)
-        self.algorithm.AddObserver("ProgressEvent", self.progress)
+        self.observers = [self.algorithm.AddObserver(event, hear) for event, hear in
+            (("WarningEvent", self.warn), ("ErrorEvent", self.fail), ("ProgressEvent", self.progress))]
+
+    def end(self):
+        for observer in self.observers:
+            self.algorithm.RemoveObserver(observer)
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
 
     def interrupt(self, *_):
         self.interrupted = True
@@ -72,6 +77,13 @@ class Listener:
             print(f"{100 * algorithm.GetProgress():3.0f} %  {stage}", flush=True)
 
 
+class ReadingListener(Listener):
+    """Of a reader, whose errors are told with the line of the task that names the file."""
+
+    def fail(self, caller, event, text):
+        self.errors.append(message(text))
+
+
 def message(text):
     """Without the place in the source and the object's address that VTK puts in front."""
     return text.partition("): ")[2].strip() or text.strip()
@@ -81,24 +93,45 @@ def message(text):
 SURFACES = "vtkPolyData", "vtkMultiBlockDataSet", "vtkPartitionedDataSet", "vtkPartitionedDataSetCollection"
 
 
-def opened(file, fail, kinds=SURFACES):
-    """The source of a surface, or of other data, in a file."""
-    try:
-        reader = simple.OpenDataFile(str(file.resolve()))
-    except RuntimeError:  # ParaView's way to say that no reader accepts the file
-        reader = None
-    if reader is None:
-        raise fail(f"ParaView cannot read {file}: it is damaged, or of an unknown type; open it in ParaView to see why, or save it as STL")
-    kind = reader.SMProxy.GetOutputPort(0).GetDataClassName()
-    if kinds and kind not in kinds:
-        raise fail(f"{file} is not a surface: ParaView reads it as {kind}")
-    return reader
+class Files:
+    """Opens the files that a task names."""
 
+    def __init__(self, task, quiet):
+        self.task, self.quiet, self.warnings = task, quiet, []
 
-def surface(task, files, *where, names=()):
-    """A source of all files: of one as it is, or of blocks with these names."""
-    readers = [opened(file, lambda what: task.error(where, what)) for file in files]
-    return simple.GroupDatasets(Input=readers, BlockNames=names) if names else readers[0]
+    def opened(self, file, where, kinds=SURFACES):
+        """The source of a surface, or of other data, in a file; `where`: it is named in the task."""
+        try:
+            reader = simple.OpenDataFile(str(file.resolve()))
+        except RuntimeError:  # ParaView's way to say that no reader accepts the file
+            reader = None
+        if reader is None:
+            raise self.task.error(where, f"ParaView cannot read {file}: it is damaged, or of an unknown type; "
+                "open it in ParaView to see why, or save it as STL")
+        kind = reader.SMProxy.GetOutputPort(0).GetDataClassName()
+        if kinds and kind not in kinds:
+            raise self.task.error(where, f"{file} is not a surface: ParaView reads it as {kind}")
+        if reader.SMProxy.GetXMLName() == CAD_READER:
+            self.read_cad(reader, where)
+        return reader
+
+    def read_cad(self, reader, where):
+        """At once: that may take long, and the reader says what is wrong with the file."""
+        for name, value in self.task.cad.items():
+            setattr(reader, name, value)
+        listener = ReadingListener(reader, self.quiet, self.warnings)
+        reader.UpdatePipeline()
+        listener.end()
+        if listener.interrupted:
+            raise KeyboardInterrupt
+        if listener.errors:
+            raise self.task.error(where, listener.errors[0])
+        self.warnings = listener.warnings
+
+    def surface(self, files, *where, names=()):
+        """A source of all files: of one as it is, or of blocks with these names."""
+        readers = [self.opened(file, where) for file in files]
+        return simple.GroupDatasets(Input=readers, BlockNames=names) if names else readers[0]
 
 
 def boundary_numbers(mesher):
@@ -154,9 +187,9 @@ def divided(task, source):
     return source
 
 
-def build(task):
-    """The pipeline of a task, not yet run. Throws TaskError with all that is wrong."""
-    errors = []
+def build(task, quiet):
+    """The pipeline of a task, not yet run, and warnings about what it reads. Throws TaskError with all that is wrong."""
+    files, errors = Files(task, quiet), []
 
     def read(action):
         try:
@@ -164,11 +197,10 @@ def build(task):
         except TaskError as error:
             errors.append(error)
 
-    source = read(lambda: divided(task, surface(task, task.surfaces, "surface", "file", names=task.names)))
-    zones = [read(lambda: surface(task, [region.file], "regions", i, "file")) if region.file else source
+    source = read(lambda: divided(task, files.surface(task.surfaces, "surface", "file", names=task.names)))
+    zones = [read(lambda: files.surface([region.file], "regions", i, "file")) if region.file else source
         for i, region in enumerate(task.regions)]
-    size_field = task.size_field and read(lambda: opened(task.size_field,
-        lambda what: task.error(("refinement", "size_field"), what), kinds=()))
+    size_field = task.size_field and read(lambda: files.opened(task.size_field, ("refinement", "size_field"), kinds=()))
     if not errors:
         if task.regions:
             source.UpdatePipeline()  # whose size is that of zones by default
@@ -183,7 +215,7 @@ def build(task):
     # A VTK file holds the whole mesh: then the first rank must have it.
     if any(file.suffix in writing.WRITERS[port] for _, port, file in files_of(task)):
         mesher.InPieces = 0
-    return mesher
+    return mesher, files.warnings
 
 
 # Outputs of a task and the ports of Cartesian Mesher that they are of.
@@ -343,9 +375,9 @@ def report(summary):
 def run(task, quiet):
     """Meshes, writes, and returns the exit code."""
     begin = time.monotonic()
-    mesher = build(task)
+    mesher, warnings = build(task, quiet)
     create_folders(task)
-    listener = Listener(mesher, quiet)
+    listener = Listener(mesher, quiet, warnings)
     pieces = pieces_needed(mesher, task)
     if pieces > 1:
         fields = write_pieces(listener, task, pieces)
@@ -370,8 +402,8 @@ def run(task, quiet):
 
 def check(task):
     """Prints the expected size of a mesh; returns the exit code."""
-    mesher = build(task)
-    listener = Listener(mesher, quiet=True)
+    mesher, warnings = build(task, quiet=True)
+    listener = Listener(mesher, True, warnings)
     boxes, cells, bytes_taken = listener.algorithm.EstimateSize()
     if boxes > 0:
         print(f"about {float(f'{boxes:.2g}'):.0f} boxes, {float(f'{cells:.2g}'):.0f} cells, {bytes_taken / 1024 ** 3:.1g} GiB of memory")
@@ -404,6 +436,8 @@ def main(arguments):
         for text in error.args:
             print(f"error: {text}", file=sys.stderr)
         return REFUSED
+    except KeyboardInterrupt:
+        return STOPPED
 
 
 def leave(code):

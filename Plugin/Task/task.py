@@ -36,6 +36,9 @@
 
     [case]                     # of .foam files: the properties of their writer
     solver_setup = "Incompressible"
+
+    [cad]                      # of STEP, IGES and BREP files: the properties of their reader
+    length_unit = "Millimetre"
 """
 
 import bisect
@@ -45,9 +48,9 @@ import pathlib
 import re
 import tomllib
 
-from parameters import BadValue, collections, parameters, shown
+from parameters import BadValue, collections, extensions, parameters, shown
 
-MESHER, REGION, SPLIT, CASE_WRITER = "CartesianMesher", "RefinementRegion", "SplitSurface", "PolyMeshWriter"
+MESHER, REGION, SPLIT, CASE_WRITER, CAD_READER = "CartesianMesher", "RefinementRegion", "SplitSurface", "PolyMeshWriter", "CADReader"
 REPORT = ".html"
 FILE_KEYS = {"surface": {"file", "names", "split"}, "refinement": {"size_field"}}  # beside the properties, by table
 # Of Split Surface, not in tasks: what belongs to a selection in a view, and what the mesher has too.
@@ -88,6 +91,7 @@ class Task:
     report: list
     pieces: int
     case: dict  # properties of the cases' writer
+    cad: dict  # properties of the reader of CAD files
     reader: object  # knows lines
 
     def error(self, where, what):
@@ -308,6 +312,28 @@ def case_parameters():
     return [parameter for parameter in parameters(CASE_WRITER, "writers") if parameter.name not in ("FileName", "Pieces")]
 
 
+def cad_parameters():
+    """Those of the reader of CAD files, for all of a task."""
+    return [parameter for parameter in parameters(CAD_READER, "sources") if parameter.name != "FileName"]
+
+
+# Triangles as far off the shape do not change a mesh of such cells much.
+DEFLECTION_OF_CELL = 0.01
+
+
+def cad_properties(reader, content, inputs, properties):
+    """Of the reader of CAD files, by their names in Python; `properties`: of the mesher."""
+    of = cad_parameters()
+    found = reader.values(reader.table(content.get("cad", {}), ("cad",), {parameter.key for parameter in of}), ("cad",), of)
+    suffixes = {"." + extension for extension in extensions(CAD_READER)}
+    if "cad" in content and not any(file.suffix.lower() in suffixes for file in inputs):
+        reader.note(("cad",), f"is for files that end in {', '.join(sorted(suffixes))}, and the task has none")
+    has_lines = any(properties.get(f"Meshlines{axis}") for axis in "XYZ")
+    if not found.get("Deflection") and not has_lines and properties.get("CellSize"):
+        found["Deflection"] = DEFLECTION_OF_CELL * properties["CellSize"]
+    return found
+
+
 def split_parameters():
     """Those of Split Surface that tasks have."""
     return [parameter for parameter in parameters(SPLIT) if parameter.name not in NOT_OF_SPLIT]
@@ -320,7 +346,7 @@ def read_task(path):
     tables = {}
     for parameter in mesher:
         tables.setdefault(parameter.table, []).append(parameter)
-    content = reader.table(reader.content, (), {*tables, "surface", "regions", "output", "case",
+    content = reader.table(reader.content, (), {*tables, "surface", "regions", "output", "case", "cad",
         *(of.key for of in rows)})
 
     properties, known = {}, {}
@@ -347,8 +373,9 @@ def read_task(path):
         reader.note(("refinement", "size_field"), "must be the name of a file")
     elif size_field is not None:
         size_field = reader.file(size_field, ("refinement", "size_field"), True)
-    inputs = [reader.path, *surfaces, size_field, *(region.file for region in regions)]
-    written = outputs(reader, content.get("output", {}), [file for file in inputs if isinstance(file, pathlib.Path)])
+    inputs = [file for file in (*surfaces, size_field, *(region.file for region in regions)) if isinstance(file, pathlib.Path)]
+    written = outputs(reader, content.get("output", {}), [reader.path, *inputs])
+    cad = cad_properties(reader, reader.content, inputs, properties)
     reader.end()
     return Task(path=reader.path, surfaces=surfaces, names=names, splits=splits, properties=properties, regions=regions, size_field=size_field,
-        case=case, reader=reader, **written)
+        case=case, cad=cad, reader=reader, **written)

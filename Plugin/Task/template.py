@@ -4,7 +4,7 @@ import json
 import textwrap
 
 from parameters import collections, parameters
-from task import MESHER, REGION, SPLIT, case_parameters, split_parameters
+from task import MESHER, REGION, SPLIT, cad_parameters, case_parameters, split_parameters
 
 HEAD = """\
 # A task for cartesian-mesher. All keys but surface.file are optional; the values below are the
@@ -53,6 +53,10 @@ CASE = """
 # For OpenFOAM cases, .foam.
 [case]"""
 
+CAD = """
+# How CAD files are read: STEP, IGES and BREP. Only with one of these.
+# [cad]"""
+
 
 def value(parameter):
     """Its default in TOML; JSON writes numbers, texts, lists and booleans alike."""
@@ -94,4 +98,5 @@ def template():
     for collection in collections(MESHER):
         parts += [ROWS, f"# [[{collection.key}]]", *[entry(column, "# ") for column in collection.columns]]
     parts += [REGIONS, "# [[regions]]", *[entry(parameter, "# ") for parameter in parameters(REGION)]]
-    return "\n".join([*parts, OUTPUT, CASE, *[entry(parameter) for parameter in case_parameters()]])
+    return "\n".join([*parts, OUTPUT, CASE, *[entry(parameter) for parameter in case_parameters()],
+        CAD, *[entry(parameter, "# ") for parameter in cad_parameters()]])

@@ -124,6 +124,19 @@ void kinks(Folder& folder)
     { { "kinks", 3 } }, Integrals::Adaptive);
 }
 
+// Two pipes of one radius through each other, which share Steinmetz's solid: 16/3 r^3, and 16 r^2 of their walls.
+void crossingPipes(Folder& folder)
+{
+  const double radius = 5, length = 40;
+  const TopoDS_Shape one = cylinder(gp_Ax2(gp_Pnt(-length / 2, 0, 0), gp::DX()), radius, length);
+  const TopoDS_Shape other = cylinder(gp_Ax2(gp_Pnt(0, -length / 2, 0), gp::DY()), radius, length);
+  const double section = Pi * radius * radius;
+  const SolidFacts solid{ "crossing_pipes", 2 * section * length - 16.0 / 3 * std::pow(radius, 3),
+    4 * section + 4 * Pi * radius * length - 16 * radius * radius };
+  const TopoDS_Shape shape = fused(one, other);
+  write(folder, "crossing_pipes.step", shape, solid, 8, { { "tangentGroups", 8 } });
+}
+
 void torus(Folder& folder)
 {
   const double large = 10, small = 3;
@@ -157,7 +170,8 @@ void splines(Folder& folder)
 }
 
 const std::map<std::string, Part> Curved = { { "rounded box", roundedBox },
-  { "rounded edge", roundedEdge }, { "crease", crease }, { "kinks", kinks }, { "torus", torus },
-  { "sphere", sphere }, { "cone", cone }, { "splines", splines } };
+  { "rounded edge", roundedEdge }, { "crease", crease }, { "kinks", kinks },
+  { "crossing pipes", crossingPipes }, { "torus", torus }, { "sphere", sphere }, { "cone", cone },
+  { "splines", splines } };
 
 }

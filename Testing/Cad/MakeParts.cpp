@@ -128,7 +128,8 @@ int main(int count, char** arguments)
   {
     Message::DefaultMessenger()->ChangePrinters().Clear(); // statistics of every file
     std::filesystem::create_directories(arguments[1]);
-    Folder folder(arguments[1]);
+    // OCCT writes files of parts to their place by an absolute path only.
+    Folder folder(std::filesystem::absolute(arguments[1]).string());
     for (const auto& parts : { NamedParts, Assemblies, Solids, Surfaces, Curved, Variants })
     {
       make(folder, parts);

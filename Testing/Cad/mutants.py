@@ -94,7 +94,7 @@ def sources(folders):
     """The CAD files of the folders in the order of their names."""
     found = [os.path.join(folder, name) for folder in folders for name in os.listdir(folder)
              if name.lower().endswith(EXTENSIONS)]
-    return sorted(path for path in found if os.path.getsize(path) > 100)
+    return sorted(path for path in found if os.path.getsize(path) > 1000)
 
 
 def mutant(paths, seed, number):

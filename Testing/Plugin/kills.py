@@ -84,7 +84,7 @@ class Output:
             file.write_text(TASK.format(surface=ROOT / "Data" / "kcl_exhaust_header_lumens.stl", size=size,
                 suffix=suffix))
             task = read_task(file)
-            mesher = run.build(task)
+            mesher, _ = run.build(task, quiet=True)
             if suffix != ".pvtu":
                 mesher.UpdatePipeline()
             self.jobs.append((mesher, task))

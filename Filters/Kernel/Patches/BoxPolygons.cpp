@@ -9,7 +9,7 @@ namespace cartesian
 namespace
 {
 
-// Cosine of half a degree: polygons that turn by less are of one plane, but for rounding.
+// Cosine of half a degree: polygons that turn by less are of one plane, and rounded.
 constexpr double OfOnePlane = 0.99996;
 
 }

@@ -9,6 +9,7 @@
 #include "Surface/Walls.h"
 #include "Surface/Winding.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
