@@ -36,6 +36,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <optional>
 
@@ -335,11 +336,28 @@ CadFile readIges(const std::string& path, const CadReport& report)
   return { Assembly(document, {}).parts(), false };
 }
 
-CadFile readBrep(const std::string& path)
+// Null if there is none.
+TopoDS_Shape shapeOfBrep(const std::string& path)
 {
   TopoDS_Shape shape;
-  BRep_Builder builder;
-  if (!BRepTools::Read(shape, path.c_str(), builder) || shape.IsNull())
+  try
+  {
+    std::ifstream stream;
+    stream.exceptions(std::ios::failbit | std::ios::badbit); // or a cut file is read for ever
+    stream.open(path);
+    BRepTools::Read(shape, stream, BRep_Builder());
+  }
+  catch (const std::ios::failure&)
+  {
+    return {};
+  }
+  return shape;
+}
+
+CadFile readBrep(const std::string& path)
+{
+  const TopoDS_Shape shape = shapeOfBrep(path);
+  if (shape.IsNull())
   {
     refuse(path,
       "cannot be read as BREP: it is damaged, cut off, or of another format. Export it again");

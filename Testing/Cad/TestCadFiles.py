@@ -4,6 +4,7 @@
 import math
 import pathlib
 import sys
+import tempfile
 
 import numpy as np
 
@@ -92,6 +93,19 @@ def test_nothing_to_read():
             assert file in content.said and content.said.count("ERROR") == 1, content.said
     content = Content(FOLDER / "not there.step")
     assert content.is_error and "not there.step" in content.said, content.said
+
+
+def test_cut_files():
+    """As downloads that were broken off leave them: OCCT would read some for ever."""
+    with tempfile.TemporaryDirectory() as scratch:
+        for file in "solid.brep", "six_faces.brep", "colours.step", "solid.igs":
+            whole = (FOLDER / file).read_bytes()
+            for tenths in 3, 6, 9:
+                path = pathlib.Path(scratch) / f"{tenths}.{file}"
+                path.write_bytes(whole[:len(whole) * tenths // 10])
+                content = Content(path, TimeLimit=60)
+                assert content.is_error and path.name in content.said, f"{path.name}: {content.said}"
+                assert "Time Limit" not in content.said, content.said
 
 
 def test_lost_face_is_told():
