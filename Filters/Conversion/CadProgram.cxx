@@ -7,6 +7,8 @@
 #include "vtksys/Process.h"
 #include "vtksys/SystemTools.hxx"
 
+#include <array>
+#include <csignal>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -21,7 +23,41 @@ namespace
 
 constexpr double SecondsBetweenLooks = 0.1; // whether the user stops it
 
-using Process = std::unique_ptr<vtksysProcess, decltype(&vtksysProcess_Delete)>;
+// vtksysProcess_Delete alone waits for the end.
+void end(vtksysProcess* process)
+{
+  vtksysProcess_Kill(process);
+  vtksysProcess_Delete(process);
+}
+
+using Process = std::unique_ptr<vtksysProcess, decltype(&end)>;
+
+// vtksysProcess takes the signals that end this program, and then waits for all its children, also for those that others have
+// started and that never end, such as MPI's. Once this is gone, they do what they did before.
+class KeptSignals
+{
+public:
+  KeptSignals()
+  {
+    for (std::size_t i = 0; i < Signals.size(); ++i)
+    {
+      sigaction(Signals[i], nullptr, &actions_[i]);
+    }
+  }
+  ~KeptSignals()
+  {
+    for (std::size_t i = 0; i < Signals.size(); ++i)
+    {
+      sigaction(Signals[i], &actions_[i], nullptr);
+    }
+  }
+  KeptSignals(const KeptSignals&) = delete;
+  KeptSignals& operator=(const KeptSignals&) = delete;
+
+private:
+  static constexpr std::array<int, 2> Signals{ SIGINT, SIGTERM };
+  std::array<struct sigaction, 2> actions_;
+};
 
 // Records out of what came through the pipe so far.
 class Records
@@ -175,10 +211,13 @@ CadContent runCadProgram(
     words.push_back(argument.c_str());
   }
   words.push_back(nullptr);
-  const Process process(vtksysProcess_New(), &vtksysProcess_Delete); // which kills it
+  const Process process(vtksysProcess_New(), &end);
   vtksysProcess_SetCommand(process.get(), words.data());
   vtksysProcess_SetTimeout(process.get(), timeLimit > 0 ? timeLimit : -1);
-  vtksysProcess_Execute(process.get());
+  {
+    const KeptSignals signals;
+    vtksysProcess_Execute(process.get());
+  }
   Answer answer;
   listen(process.get(), answer, execution);
   vtksysProcess_WaitForExit(process.get(), nullptr);
