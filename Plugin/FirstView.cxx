@@ -18,6 +18,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -73,6 +74,23 @@ std::set<std::string> sidesOf(vtkSMProxy* source)
   return vtkSMPropertyHelper(source, "SideNames").GetAsInt() == 0
     ? std::set<std::string>{ "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" }
     : std::set<std::string>{ "inlet", "outlet", "ground", "symmetry", "sides" };
+}
+
+// That of a name RRGGBB, which a boundary has by its colour in a CAD file.
+std::optional<Colour> colourCalled(const std::string& name)
+{
+  constexpr std::size_t Digits = 6;
+  const auto isDigit = [](unsigned char c) { return std::isxdigit(c) != 0; };
+  if (name.size() != Digits || !std::all_of(name.begin(), name.end(), isDigit))
+  {
+    return std::nullopt;
+  }
+  Colour rgb;
+  for (std::size_t c = 0; c < rgb.size(); ++c)
+  {
+    rgb[c] = std::stoi(name.substr(2 * c, 2), nullptr, 16) / 255.0;
+  }
+  return rgb;
 }
 
 // Defects are the brightest of all.
@@ -165,7 +183,7 @@ void addCategories(vtkSMProxy* colours, const std::vector<Category>& categories,
     const auto n = static_cast<unsigned int>(known.size());
     annotations.Set(2 * n, category.value.c_str());
     annotations.Set(2 * n + 1, category.name.c_str());
-    const Colour rgb = colour(n, areDefects);
+    const Colour rgb = colourCalled(category.name).value_or(colour(n, areDefects));
     for (unsigned int c = 0; c < 3; ++c)
     {
       indexed.Set(3 * n + c, rgb[c]);

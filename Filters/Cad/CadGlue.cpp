@@ -179,8 +179,8 @@ void noteNeighbours(const std::vector<CadPart>& parts, const CadReport& report)
   }
   if (pairs > 0)
   {
-    report.note("Solids: " + std::to_string(parts.size()) + ". Pairs that may touch: " +
-      std::to_string(pairs) + ". To mesh solids that touch as regions, switch on Glue Solids.");
+    report.note("Glue Solids is off: regions of solids that touch need it. Pairs that may touch: " +
+      std::to_string(pairs) + ".");
   }
 }
 

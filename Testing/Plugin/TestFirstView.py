@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 
 from paraview import simple
-from vtkmodules.vtkCommonCore import vtkIntArray
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkStringArray
 
 from pipeline import DATA, Messages, octahedron, output, producer, read
 
@@ -152,3 +152,15 @@ simple.ResetSession()
 simple.LoadState(str(folder / "state.pvsm"))
 display = simple.GetDisplayProperties(simple.OutputPort(simple.FindSource("CartesianMesher2"), 1), simple.GetActiveView())
 assert list(display.ColorArrayName) == ["CELLS", "OwnerCell"] and display.Representation == "Wireframe"
+
+# Boundaries that are called as colours, as those of CAD files may be, have them.
+coloured = octahedron()
+colour = vtkStringArray()
+colour.SetName("Colour")
+for i in range(coloured.GetNumberOfCells()):
+    colour.InsertNextValue("FF0000" if i < 4 else "0080FF")
+coloured.GetCellData().AddArray(colour)
+table = shown(simple.CartesianMesher(Input=producer(coloured), CellSize=0.3, BoundaryArray="Colour")).LookupTable
+for name, expected in ("FF0000", [1, 0, 0]), ("0080FF", [0, 128 / 255, 1]):
+    at = 3 * list(table.Annotations)[::2].index(name)
+    assert list(table.IndexedColors)[at:at + 3] == expected, (name, list(table.IndexedColors))

@@ -18,7 +18,9 @@ GLUE = event(f"{PROPERTIES}/GlueSolids/CheckBox", "set_boolean", "true")
 
 TOLD = """
 from paraview import simple
-print("solids", list(simple.FindSource("heated_pipe.step").GetProperty("FoundSolids"))[6::6])
+pipe = simple.FindSource("heated_pipe.step")
+print("solids", list(pipe.GetProperty("FoundSolids"))[6::6])
+print("findings", list(pipe.GetProperty("Findings")))
 print("legend", sorted(list(simple.GetColorTransferFunction("BoundaryName").Annotations)[::2]))
 print("colours", simple.GetDisplayProperties().ColorArrayName[1])
 """
@@ -51,6 +53,7 @@ with Screen() as screen:
     said = screen.play(script(open_file(PIPE), apply(), macro("told")))
     assert "ERR|" not in said and "WARN|" not in said, said
     assert "solids ['fluid', 'pipe', 'heater']" in said, said
+    assert re.search("findings .*Glue Solids is off.*may touch", said), said
     assert "legend ['fluid', 'heater', 'inlet', 'outlet', 'pipe']" in said and "colours BoundaryName" in said, said
 
     text = screen.folder / "text.step"
