@@ -1,6 +1,7 @@
 # CARTESIANMESHER_CAD: whether CAD files are read. Without read-cad, CAD Reader says what to install.
+get_property(definitions DIRECTORY PROPERTY COMPILE_DEFINITIONS)
 find_package(OpenCASCADE QUIET) # no version: it takes its own only
-set_property(DIRECTORY PROPERTY COMPILE_DEFINITIONS "") # HAVE_TBB and others, which it defines for all that follows
+set_property(DIRECTORY PROPERTY COMPILE_DEFINITIONS "${definitions}") # it defines HAVE_TBB and others for all that follows
 option(CARTESIANMESHER_CAD "Build the program that reads CAD files: needs Open CASCADE" ${OpenCASCADE_FOUND})
 
 set(cad_packages "Open CASCADE's development files (Debian: libocct-data-exchange-dev, libtbb-dev, libfontconfig-dev)")
@@ -12,3 +13,8 @@ elseif (NOT CARTESIANMESHER_CAD)
     "-DCARTESIANMESHER_CAD=ON")
 endif ()
 set(cad_directory "${CMAKE_INSTALL_LIBEXECDIR}/cartesianmesher")
+
+set(cad_formats TKXDESTEP TKXDEIGES TKSTEP TKSTEPBase TKIGES)
+if (TARGET TKDESTEP) # from Open CASCADE 7.8 on
+  set(cad_formats TKDESTEP TKDEIGES)
+endif ()

@@ -186,14 +186,19 @@ def draw_slices(folder):
 
 
 def draw_cad(_):
-    """The page's regions, cut open."""
+    """A section of the page's regions."""
     names = {}
     os.chdir(REPOSITORY)
     exec(blocks(HELP / "cad.md", "python")[0].split("SaveData")[0], names)
     view = simple.CreateView("RenderView")
-    display = show(half(names["mesher"], [0.0001, 0, 0], [1, 0, 0]), view, "Region")
+    section = simple.SlicePolyhedra(Input=names["mesher"], Origin=[0, 0, 0.0501], Normal=[0, 0, 1])
+    display = show(section, view, "Region")
+    display.Representation = "Surface"
     display.SetScalarBarVisibility(view, False)
-    picture("cadmesh.png", view, [1, 0.7, 0.5], 1.2)
+    edges = simple.Show(simple.ExtractEdges(Input=section), view)
+    edges.ColorArrayName, edges.DiffuseColor, edges.LineWidth = ["CELLS", ""], [0.3, 0.3, 0.3], 1.5
+    simple.GetColorTransferFunction("Region").RGBPoints = [1, 0.55, 0.75, 0.95, 2, 0.85, 0.85, 0.85, 3, 0.95, 0.7, 0.45]
+    picture("cadmesh.png", view, [0, -1e-3, 1], 1.3, [560, 560])
 
 
 CUT = [51, 100, -3]  # in the middle of a tube of the header

@@ -38,7 +38,7 @@ simple.ResetCamera(view)
 simple.GetActiveCamera().Zoom(1.3)
 simple.Render(view)
 """
-with Screen(1400, 900) as screen:
+with Screen(1400, 1050) as screen:
     screen.add_macro("oblique", OBLIQUE)
     screen.photograph(script(open_file(REPOSITORY / "Data" / "heated_pipe.step"),
         event(f"{PROPERTIES}/GlueSolids/CheckBox", "set_boolean", "true"), apply(), macro("oblique")), HELP / "cad.png")
