@@ -18,7 +18,6 @@ import time
 import tomllib
 
 from paraview import servermanager, simple
-import cartesianmesher.vtkCartesianMesherFilters as filters
 
 import foam
 from pipeline import Messages, assert_identical, octahedron, output, producer
@@ -254,7 +253,8 @@ for name, (surface, properties, table) in SCENES.items():
 large = folder / "large.step"
 large.write_text(PIPE.read_text().replace("30.", "60."))
 for first, second, *parts in (
-    (opened(PIPE, registrationName="one"), opened(PIPE, registrationName="two", Angle=20), "two (CAD Reader) has another Angle than one (CAD Reader)"),
+    (simple.CADReader(registrationName="one", FileName=str(PIPE)), simple.CADReader(registrationName="two", FileName=str(PIPE), Angle=20),
+        "two (CAD Reader) has another Angle than one (CAD Reader)"),
     (opened(PIPE), opened(large), "another Deflection (its default depends on the size) than"),
 ):
     both = simple.CartesianMesher(Input=first, CellSize=0.001, RefinementRegions=[second])
