@@ -6,6 +6,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <IGESCAFControl_Reader.hxx>
+#include <Interface_Check.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
@@ -164,10 +165,8 @@ private:
     const TopTools_IndexedMapOfShape faces = facesOf(shape);
     for (int i = 1; i <= faces.Extent(); ++i)
     {
-      const Style own = styleOfFace(faces(i), style);
-      const auto named = names_.find(faces(i).TShape().get());
-      part.faces.push_back(
-        { named == names_.end() ? nameOfSubshape(faces(i)) : named->second, own.color, own.layer });
+      const Style own = styleOfShape(faces(i), style);
+      part.faces.push_back({ nameOfSubshape(faces(i)), own.color, own.layer });
     }
     parts_.push_back(std::move(part));
   }
@@ -208,12 +207,6 @@ private:
       : Style();
     return { own.color.empty() ? outer.color : own.color,
       own.layer.empty() ? outer.layer : own.layer };
-  }
-
-  // That of a shell is between those of a face and of a solid.
-  Style styleOfFace(const TopoDS_Shape& face, const Style& solid) const
-  {
-    return styleOfShape(face, solid);
   }
 
   Handle(XCAFDoc_ShapeTool) shapes_;
@@ -281,18 +274,30 @@ Handle(TDocStd_Document) newDocument()
   return new TDocStd_Document("BinXCAF");
 }
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why)
-{
-  throw CadError(path + " " + why + ".");
-}
+constexpr const char* NoShapes =
+  "holds no shapes: it is empty, damaged, or of another format. Export it again.";
 
-void checkRead(const std::string& path, IFSelect_ReturnStatus status, const std::string& format)
+void checkRead(IFSelect_ReturnStatus status, const std::string& format)
 {
   if (status != IFSelect_RetDone)
   {
-    refuse(path,
-      "cannot be read as " + format +
-        ": it is damaged, cut off, or of another format. Export it again");
+    throw CadError("cannot be read as " + format +
+      ": it is damaged, cut off, or of another format. Export it again.");
+  }
+}
+
+// Notes what is wrong in the file itself, before shapes are made of it: Open CASCADE may crash on that.
+void noteDamage(const Handle(Interface_InterfaceModel) & model, const CadReport& report)
+{
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const Handle(Interface_Check) check = model->Check(i, Standard_True);
+    if (!check.IsNull() && check->HasFailed())
+    {
+      report.note(std::string("Damaged in the file: ") +
+        model->StringLabel(model->Value(i))->ToCString() + ", " + check->CFail(1) + ".");
+      return;
+    }
   }
 }
 
@@ -305,13 +310,14 @@ CadFile readStep(const std::string& path, const CadReport& report)
   reader.SetColorMode(Standard_True);
   reader.SetNameMode(Standard_True);
   reader.SetLayerMode(Standard_True);
-  checkRead(path, reader.ReadFile(path.c_str()), "STEP");
+  checkRead(reader.ReadFile(path.c_str()), "STEP");
+  noteDamage(reader.Reader().WS()->Model(), report);
   report.progress(0.3);
   Handle(TDocStd_Document) document = newDocument();
   const Handle(CadProgress) progress = new CadProgress(report, 0.3, 0.5);
   if (!reader.Transfer(document, progress->Start()))
   {
-    refuse(path, "holds no shapes: it is empty, damaged, or of another format. Export it again");
+    throw CadError(NoShapes);
   }
   const Entities entities(reader.Reader().WS(), report);
   return { Assembly(document, entities.names).parts(), true };
@@ -325,13 +331,14 @@ CadFile readIges(const std::string& path, const CadReport& report)
   reader.SetColorMode(Standard_True);
   reader.SetNameMode(Standard_True);
   reader.SetLayerMode(Standard_True);
-  checkRead(path, reader.ReadFile(path.c_str()), "IGES");
+  checkRead(reader.ReadFile(path.c_str()), "IGES");
+  noteDamage(reader.WS()->Model(), report);
   report.progress(0.3);
   Handle(TDocStd_Document) document = newDocument();
   const Handle(CadProgress) progress = new CadProgress(report, 0.3, 0.5);
   if (!reader.Transfer(document, progress->Start()))
   {
-    refuse(path, "holds no shapes: it is empty, damaged, or of another format. Export it again");
+    throw CadError(NoShapes);
   }
   return { Assembly(document, {}).parts(), false };
 }
@@ -359,8 +366,7 @@ CadFile readBrep(const std::string& path)
   const TopoDS_Shape shape = shapeOfBrep(path);
   if (shape.IsNull())
   {
-    refuse(path,
-      "cannot be read as BREP: it is damaged, cut off, or of another format. Export it again");
+    checkRead(IFSelect_RetFail, "BREP");
   }
   Handle(TDocStd_Document) document = newDocument();
   XCAFDoc_DocumentTool::ShapeTool(document->Main())->AddShape(shape, Standard_False);
@@ -383,9 +389,9 @@ CadFile readCadFile(const std::string& given, const CadReport& report)
   file.parts.erase(std::remove_if(file.parts.begin(), file.parts.end(), isEmpty), file.parts.end());
   if (file.parts.empty())
   {
-    refuse(path,
-      "holds neither solids nor faces: drawings, wires and points enclose nothing. Export the part "
-      "as a solid");
+    throw CadError(
+      "holds neither solids nor faces: drawings, wires and points enclose nothing. Export "
+      "the part as a solid.");
   }
   return file;
 }

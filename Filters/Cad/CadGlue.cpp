@@ -9,6 +9,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
@@ -127,6 +128,21 @@ private:
   FaceHistory history_;
 };
 
+// Faces of two solids.
+int countShared(const std::vector<CadPart>& parts)
+{
+  TopTools_IndexedMapOfShape known;
+  int shared = 0;
+  for (const CadPart& part : parts)
+  {
+    const TopTools_IndexedMapOfShape faces = facesOf(part.shape);
+    const int before = known.Extent();
+    TopExp::MapShapes(part.shape, TopAbs_FACE, known);
+    shared += before + faces.Extent() - known.Extent();
+  }
+  return shared;
+}
+
 }
 
 void glue(std::vector<CadPart>& parts, const CadOptions& options, const CadReport& report)
@@ -158,7 +174,8 @@ void glue(std::vector<CadPart>& parts, const CadOptions& options, const CadRepor
         ". Correct the assembly if they should only touch.");
     }
   }
-  report.note("Glued: " + std::to_string(solids.size()) + " solids.");
+  report.note("Glued: " + std::to_string(solids.size()) + " solids, which share " +
+    std::to_string(countShared(glued)) + " faces.");
   glued.insert(glued.end(), sheets.begin(), sheets.end());
   parts = std::move(glued);
 }
@@ -168,7 +185,7 @@ void noteNeighbours(const std::vector<CadPart>& parts, const CadReport& report)
   std::vector<Bnd_Box> boxes;
   for (const CadPart& part : parts)
   {
-    BRepBndLib::AddOptimal(part.shape, boxes.emplace_back(), Standard_False, Standard_False);
+    BRepBndLib::Add(part.shape, boxes.emplace_back(), Standard_False);
   }
   std::size_t pairs = 0;
   for (std::size_t i = 0; i < boxes.size(); ++i)

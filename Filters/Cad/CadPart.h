@@ -13,7 +13,7 @@
 namespace cartesian
 {
 
-// Why a file cannot be read, in words for the user.
+// Why a file cannot be read, in words for the user that follow its name.
 struct CadError : std::runtime_error
 {
   using std::runtime_error::runtime_error;

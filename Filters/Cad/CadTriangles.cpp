@@ -55,7 +55,7 @@ TopoDS_Compound together(const std::vector<CadPart>& parts)
 double longestSide(const TopoDS_Shape& shape)
 {
   Bnd_Box box;
-  BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
+  BRepBndLib::Add(shape, box, Standard_False);
   if (box.IsVoid())
   {
     return 0;
@@ -345,7 +345,7 @@ std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,
                                               : DeflectionOfSize * longestSide(all) / options.unit;
   if (!(asked > 0))
   {
-    throw CadError("The shapes have no extent: export the part again.");
+    throw CadError("holds shapes without extent only. Export the part again.");
   }
   double deflection = asked * options.unit;
   Attempt best;

@@ -15,11 +15,13 @@
 #include <Message_Printer.hxx>
 #include <Standard_Failure.hxx>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <fcntl.h>
 #include <filesystem>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace
@@ -63,6 +65,20 @@ public:
 private:
   std::FILE* file_;
 };
+
+// What damaged files ask for may be more than there is: then they are refused, and nothing else is ended for want of
+// memory.
+void limitMemory()
+{
+  rlimit limit{};
+  getrlimit(RLIMIT_AS, &limit);
+  const auto all =
+    static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+  limit.rlim_cur = std::min(limit.rlim_max, all);
+  setrlimit(RLIMIT_AS, &limit);
+  const rlimit none{ 0, 0 };
+  setrlimit(RLIMIT_CORE, &none);
+}
 
 CadOptions optionsFrom(char** words)
 {
@@ -122,6 +138,7 @@ int main(int count, char** words)
     std::fputs("read-cad is started by the CAD Reader of CartesianMesher.\n", stderr);
     return EXIT_FAILURE;
   }
+  limitMemory();
   Output output;
   try
   {
@@ -130,7 +147,7 @@ int main(int count, char** words)
   }
   catch (const CadError& error)
   {
-    output.write(Record::Error, std::string(error.what()));
+    output.write(Record::Error, words[1] + std::string(" ") + error.what());
   }
   catch (const Standard_Failure& failure)
   {

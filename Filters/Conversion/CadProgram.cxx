@@ -139,21 +139,24 @@ public:
 };
 
 // Why there is no result.
-std::string faultOf(vtksysProcess* process, const std::string& file, double timeLimit)
+std::string faultOf(vtksysProcess* process, const std::vector<std::string>& notes,
+  const std::string& file, double timeLimit)
 {
+  const std::string found = notes.empty() ? "" : " " + notes.back(); // damage is noted first
   switch (vtksysProcess_GetState(process))
   {
     case vtksysProcess_State_Expired:
       return file + " is not read after " + number(timeLimit) +
-        " s, the Time Limit: it is damaged, or large. Set a longer Time Limit, choose a larger "
+        " s, the Time Limit: it is damaged, or large." + found +
+        " Set a longer Time Limit, choose a larger "
         "Deflection, or export the part again.";
     case vtksysProcess_State_Error:
       return std::string("The program that reads CAD files cannot be started (") +
         vtksysProcess_GetErrorString(process) + ").";
     case vtksysProcess_State_Exception:
       return file + " cannot be read: Open CASCADE crashes on it (" +
-        vtksysProcess_GetExceptionString(process) +
-        "). Export the part again, or in another format.";
+        vtksysProcess_GetExceptionString(process) + ")." + found +
+        " Export the part again, or in another format.";
     default:
       return file +
         " cannot be read: the program that reads CAD files ended early. Export the part again.";
@@ -227,7 +230,8 @@ CadContent runCadProgram(
   }
   if (!answer.isWhole)
   {
-    throw Error(Fault::CannotRead, faultOf(process.get(), arguments.front(), timeLimit));
+    throw Error(Fault::CannotRead,
+      faultOf(process.get(), answer.content.notes, arguments.front(), timeLimit));
   }
   return std::move(answer.content);
 }

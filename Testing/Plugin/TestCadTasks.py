@@ -1,7 +1,7 @@
 """Tasks that name CAD files: they are read with the properties in [cad], also where the window wrote these, and what is
 wrong with the table or with a file is told with its line.
 
-heated_pipe.step, written by Open CASCADE 7.6: the fluid in a pipe, radius 5 mm, length 30 mm, with faces called inlet and
+pipe.step, written by Open CASCADE 7.6: the fluid in a pipe, radius 5 mm, length 30 mm, with faces called inlet and
 outlet, and the pipe around it, radius 7 mm, with a face called heater."""
 
 import json
@@ -30,7 +30,7 @@ from template import template  # noqa: E402
 
 SUCCESS, REFUSED, WARNINGS, STOPPED = 0, 2, 3, 130
 folder = pathlib.Path(tempfile.mkdtemp())
-PIPE = folder / "heated_pipe.step"
+PIPE = folder / "pipe.step"
 shutil.copy(ROOT / "Testing" / "Plugin" / PIPE.name, PIPE)
 VOLUMES = {"fluid": math.pi * 25 * 30, "pipe": math.pi * 24 * 30}
 
@@ -51,8 +51,10 @@ def start(path, *arguments, code=SUCCESS, ranks=0, **environment):
     return done.stdout
 
 
-def opened(file, **properties):
+def opened(file, registrationName=None, **properties):
     reader = simple.OpenDataFile(str(file))
+    if registrationName:
+        simple.RenameSource(registrationName, reader)
     for name, value in properties.items():
         setattr(reader, name, value)
     return reader
@@ -127,14 +129,14 @@ assert (folder / "regions.vtu").read_bytes() == before
 
 # Of a list of files, a CAD file keeps its boundaries, and regions are called as files. Zones and fields are read alike.
 simple.SaveData(str(folder / "ball.vtp"), proxy=producer(octahedron(8, (0, 0, 50))), DataMode="Binary")
-LIST = '[surface]\nfile = ["heated_pipe.step", "ball.vtp"]\nnames = ["part", "lump"]\n[grid]\ncell_size = 2.3\n' \
+LIST = '[surface]\nfile = ["pipe.step", "ball.vtp"]\nnames = ["part", "lump"]\n[grid]\ncell_size = 2.3\n' \
     '[cad]\nlength_unit = "Millimetre"\n'
 start(task(LIST + '[output]\nmesh = "list.vtu"\nstatistics = "list.json"\n'), code=WARNINGS)
 assert boundaries("list.json") == ["fluid", "outlet", "inlet", "heater", "pipe", "lump"], boundaries("list.json")
 start(task(LIST + '[domain]\nregions_from = "Blocks"\n[output]\nmesh = "list.vtu"\n'), code=WARNINGS)
 names = mesh("list.vtu").GetFieldData().GetAbstractArray("RegionNames")
 assert [names.GetValue(i) for i in range(names.GetNumberOfValues())] == ["part", "lump"]
-ZONE = '[surface]\nfile = "ball.vtp"\n[grid]\ncell_size = 2\n[[regions]]\nfile = "heated_pipe.step"\ndepth = 2\n' \
+ZONE = '[surface]\nfile = "ball.vtp"\n[grid]\ncell_size = 2\n[[regions]]\nfile = "pipe.step"\ndepth = 2\n' \
     '[output]\nmesh = "zone.vtu"\n[cad]\nlength_unit = "Millimetre"\n'
 start(task(ZONE), "--quiet")
 apart = mesh("zone.vtu").GetNumberOfCells()
