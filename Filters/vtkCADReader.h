@@ -104,7 +104,7 @@ public:
   vtkGetMacro(HealTolerance, double);
 
   /**
-   * Whether faces in which solids touch become one, with the same triangles on both sides; default false. Solids that
+   * Whether faces in which solids touch become one, with the same triangles on both sides; default true. Solids that
    * overlap are divided, with a warning.
    */
   vtkSetMacro(GlueSolids, bool);
@@ -157,7 +157,7 @@ private:
   double Scale = 1;
   int BoundaryNamesFrom = Automatic;
   double HealTolerance = 0;
-  bool GlueSolids = false;
+  bool GlueSolids = true;
   bool MergeCoplanar = false;
   double TimeLimit = 1800;
   vtkNew<vtkStringArray> FoundSolids;

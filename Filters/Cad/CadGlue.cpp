@@ -128,6 +128,16 @@ private:
   FaceHistory history_;
 };
 
+int countFree(const std::vector<CadPart>& parts)
+{
+  int count = 0;
+  for (const CadPart& part : parts)
+  {
+    count += freeEdges(part.shape).Extent();
+  }
+  return count;
+}
+
 // Faces of two solids.
 int countShared(const std::vector<CadPart>& parts)
 {
@@ -165,6 +175,13 @@ void glue(std::vector<CadPart>& parts, const CadOptions& options, const CadRepor
     return;
   }
   std::vector<CadPart> glued = fuse.parts();
+  if (countFree(glued) > countFree(solids))
+  {
+    report.warning(
+      "Gluing would open solids: they stay apart. Correct those that overlap, or switch "
+      "off Glue Solids.");
+    return;
+  }
   for (const CadPart& part : glued)
   {
     if (part.name.find("_and_") != std::string::npos)

@@ -16,7 +16,7 @@ EXACT = 1e-9  # relative: what OCCT's integrals give
 
 
 def read(file, **properties):
-    content = Content(FOLDER / file, **properties)
+    content = Content(FOLDER / file, **{"GlueSolids": False} | properties)
     assert not content.is_error, content.said
     return content
 

@@ -220,22 +220,22 @@ def cad_of(file):
 
 
 default = opened(PIPE)
-glued = opened(PIPE, LengthUnit="Millimetre", GlueSolids=1, Angle=15, BoundaryNamesFrom="Solids")
-fine = opened(PIPE, LengthUnit="Inch", Scale=1.1, Deflection=0.0123456789)
+glued = opened(PIPE, LengthUnit="Millimetre", Angle=15, BoundaryNamesFrom="Solids")
+fine = opened(PIPE, LengthUnit="Inch", GlueSolids=0, Scale=1.1, Deflection=0.0123456789)
 ball = opened(folder / "ball.vtp")
 SCENES = {
     "default": (default, dict(CellSize=0.0013), {"deflection": 3e-5}),
     "glued": (glued, dict(CellSize=1.3, RegionsFrom="Blocks"),
-        {"angle": 15, "boundary_names_from": "Solids", "deflection": 0.03, "glue_solids": True, "length_unit": "Millimetre"}),
-    "fine": (fine, dict(CellSize=0.07), {"deflection": 0.0123456789, "length_unit": "Inch", "scale": 1.1}),
+        {"angle": 15, "boundary_names_from": "Solids", "deflection": 0.03, "length_unit": "Millimetre"}),
+    "fine": (fine, dict(CellSize=0.07), {"deflection": 0.0123456789, "glue_solids": False, "length_unit": "Inch", "scale": 1.1}),
     "lines": (default, dict(CellSize=0.0013, MeshlinesX=[-0.007, -0.003, 0, 0.002, 0.007]), {}),
     "zone": (ball, dict(CellSize=2, RefinementRegions=[simple.RefinementRegion(Input=opened(PIPE, LengthUnit="Millimetre", Scale=1.7), Shape="Input"),
             simple.RefinementRegion(Input=default, Shape="Sphere", Center=[0, 0, 50], Radius=1)]),
         {"deflection": 0.051, "length_unit": "Millimetre", "scale": 1.7}),
     "list": (simple.GroupDatasets(Input=[glued, ball], BlockNames=["part", "lump"]), dict(CellSize=2.3),
-        {"angle": 15, "boundary_names_from": "Solids", "deflection": 0.03, "glue_solids": True, "length_unit": "Millimetre"}),
+        {"angle": 15, "boundary_names_from": "Solids", "deflection": 0.03, "length_unit": "Millimetre"}),
     "split": (simple.SplitSurface(Input=glued, SplitBy="Feature Angle"), dict(CellSize=1.3),
-        {"angle": 15, "boundary_names_from": "Solids", "deflection": 0.03, "glue_solids": True, "length_unit": "Millimetre"}),
+        {"angle": 15, "boundary_names_from": "Solids", "deflection": 0.03, "length_unit": "Millimetre"}),
 }
 for name, (surface, properties, table) in SCENES.items():
     with Messages():

@@ -40,8 +40,8 @@ simple.Render(view)
 """
 with Screen(1400, 1050) as screen:
     screen.add_macro("oblique", OBLIQUE)
-    screen.photograph(script(open_file(REPOSITORY / "Data" / "heated_pipe.step"),
-        event(f"{PROPERTIES}/GlueSolids/CheckBox", "set_boolean", "true"), apply(), macro("oblique")), HELP / "cad.png")
+    screen.photograph(
+        script(open_file(REPOSITORY / "Data" / "heated_pipe.step"), apply(), macro("oblique")), HELP / "cad.png")
 
 # A car in its flow domain, not applied yet.
 CAMERA = """
