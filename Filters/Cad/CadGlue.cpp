@@ -68,10 +68,12 @@ public:
         if (const auto known = static_cast<std::size_t>(solids.FindIndex(solid)); known > 0)
         {
           names[known - 1] += "_and_" + copy.name;
+          isCommon_[known - 1] = true;
           continue;
         }
         solids.Add(solid);
         names.push_back(copy.name);
+        isCommon_.push_back(false);
       }
     }
     TopoDS_Compound all;
@@ -92,6 +94,9 @@ public:
     }
     return made;
   }
+
+  // Whether several solids hold that one of parts().
+  bool isCommon(std::size_t part) const { return isCommon_[part]; }
 
 private:
   void followFaces()
@@ -126,6 +131,7 @@ private:
   BOPAlgo_Builder fuse_;
   std::vector<CadPart> copies_;
   FaceHistory history_;
+  std::vector<bool> isCommon_;
 };
 
 int countFree(const std::vector<CadPart>& parts)
@@ -182,12 +188,12 @@ void glue(std::vector<CadPart>& parts, const CadOptions& options, const CadRepor
       "off Glue Solids.");
     return;
   }
-  for (const CadPart& part : glued)
+  for (std::size_t p = 0; p < glued.size(); ++p)
   {
-    if (part.name.find("_and_") != std::string::npos)
+    if (fuse.isCommon(p))
     {
-      report.warning("Solids overlap at " + placeOf(part.shape, options.unit) +
-        ": what several of them hold is the solid " + part.name +
+      report.warning("Solids overlap at " + placeOf(glued[p].shape, options.unit) +
+        ": what several of them hold is the solid " + glued[p].name +
         ". Correct the assembly if they should only touch.");
     }
   }
