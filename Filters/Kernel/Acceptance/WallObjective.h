@@ -56,6 +56,9 @@ struct FailsBeyond
   static constexpr double Warp = 0.6;
 };
 
+// From here on a face is taken for one that checkMesh refuses: nearer than its limit, for the same reason.
+constexpr double RefusedSkewness = 3.9;
+
 template <class Number>
 struct FaceMeasures
 {
@@ -78,6 +81,10 @@ struct Cost
   Number value;
   int fails;    // section 3, or checkMesh; 2: inverted, as seen from one of its cells
   bool strains; // solvers run, but slowly: unequal neighbours, cells with no third direction
+
+  // Of a face, what checkMesh refuses:
+  int inverted = 0; // as seen from each of its cells, and from the one to the other
+  bool skew = false;
 };
 
 // The mean of a polygon's corners, corner(0) to corner(size - 1).
@@ -328,6 +335,7 @@ public:
       isSteep(valueOf(near), valueOf(nearSquare), FailsBeyond::InnerCosine) ||
       isSteep(valueOf(far), valueOf(farSquare), FailsBeyond::InnerCosine);
     isInverted_ = valueOf(near) < 0 || valueOf(far) < 0;
+    inverted_ = int(!(valueOf(near) > 0)) + int(!(valueOf(far) > 0)) + int(!(valueOf(whole) > 0));
   }
 
   // Of a wall. `edge`: the length of a box's edge there; `original`: the area of what the surface has there, or zero.
@@ -347,6 +355,7 @@ public:
     fails_ =
       fails_ || isSteep(valueOf(height), valueOf(dot(toFace, toFace)), FailsBeyond::BoundaryCosine);
     isInverted_ = valueOf(height) < 0;
+    inverted_ = int(!(valueOf(height) > 0));
     if (const double length = norm(original); length > NegligibleArea * edge * edge)
     {
       const Number cosine =
@@ -383,7 +392,7 @@ public:
   {
     const Number sum = saturated(cost_, spec_);
     const int fails = isInverted_ ? 2 : fails_ ? 1 : 0;
-    return { sum + costOfFailing(fails, spec_), fails, strains_ };
+    return { sum + costOfFailing(fails, spec_), fails, strains_, inverted_, isSkew_ };
   }
 
 private:
@@ -456,6 +465,7 @@ private:
     const Number skewness = square / reach;
     cost_ += squareOf(squareOf(skewness * (1 / Wanted::Skewness)));
     fails_ = fails_ || !(valueOf(skewness) < Limits::Skewness);
+    isSkew_ = isSkew_ || !(valueOf(skewness) < RefusedSkewness);
   }
 
   const FaceMeasures<Number>& face_;
@@ -465,7 +475,9 @@ private:
   VectorOf<Number> normal_;
   bool fails_;
   bool isInverted_ = false;
+  bool isSkew_ = false;
   bool strains_ = false;
+  int inverted_ = 0;
 };
 
 // What a cell costs: `share`, its volume by its box's; `wanted`, of those; `determinant`, of its inner faces.

@@ -20,8 +20,10 @@ constexpr std::size_t UsualCorners = 2048;
 class Shell
 {
 public:
-  Shell(std::size_t faces, std::size_t corners)
-    : pieces_(faces)
+  // `mayTouch`: edges may have several faces in a direction.
+  Shell(std::size_t faces, std::size_t corners, bool mayTouch)
+    : mayTouch_(mayTouch)
+    , pieces_(faces)
   {
     while (std::size_t(1) << bits_ < corners) // twice the number of edges
     {
@@ -34,7 +36,7 @@ public:
       edges_ = more_.first.data();
       group_ = more_.second.data();
     }
-    std::fill_n(edges_, edges, Edge{ 0, 0, 0 });
+    std::fill_n(edges_, edges, Edge{ 0, 0, { 0, 0 } });
     std::iota(group_, group_ + faces, 0U);
   }
 
@@ -42,32 +44,34 @@ public:
   bool add(std::uint32_t from, std::uint32_t to, std::uint32_t face)
   {
     const std::uint64_t key = std::uint64_t(std::min(from, to)) << 32U | std::max(from, to);
-    const unsigned way = from < to ? 1 : 2;
     Edge& edge = find(key);
-    if ((edge.ways & way) != 0 || from == to)
+    std::uint16_t& same = edge.ways[from < to ? 0 : 1];
+    const std::uint16_t opposite = edge.ways[from < to ? 1 : 0];
+    touches_ = touches_ || same > 0;
+    if ((same > 0 && !mayTouch_) || from == to)
     {
       return false;
     }
-    if (edge.ways == 0)
+    if (same + opposite == 0)
     {
-      edge = { key, face, way };
-      ++open_;
-      return true;
+      edge.key = key;
+      edge.face = face;
     }
-    edge.ways |= way;
-    --open_;
     connect(edge.face, face);
+    same < opposite ? --open_ : ++open_;
+    ++same;
     return true;
   }
 
   bool isWhole() const { return open_ == 0 && pieces_ == 1; }
+  bool touches() const { return touches_; }
 
 private:
   struct Edge
   {
     std::uint64_t key;
-    std::uint32_t face; // the first
-    unsigned ways;      // bits: from the lower node to the higher, back; 0: no edge
+    std::uint32_t face;                // the first
+    std::array<std::uint16_t, 2> ways; // faces that have it from the lower node to the higher, back
   };
 
   Edge& find(std::uint64_t key)
@@ -75,7 +79,7 @@ private:
     constexpr std::uint64_t Odd = 0x9E3779B97F4A7C15U;
     const std::size_t mask = (std::size_t(1) << bits_) - 1;
     std::size_t i = key * Odd >> (64 - bits_);
-    while (edges_[i].ways != 0 && edges_[i].key != key)
+    while (edges_[i].ways[0] + edges_[i].ways[1] != 0 && edges_[i].key != key)
     {
       i = (i + 1) & mask;
     }
@@ -100,20 +104,17 @@ private:
     group_[one] = other;
   }
 
+  bool mayTouch_;
+  bool touches_ = false;
   std::array<Edge, UsualCorners> usualEdges_;
   std::array<std::uint32_t, UsualFaces> usualGroup_;
   std::pair<std::vector<Edge>, std::vector<std::uint32_t>> more_;
   Edge* edges_ = usualEdges_.data();
   std::uint32_t* group_ = usualGroup_.data();
   std::size_t pieces_;
-  std::size_t open_ = 0; // edges of one face so far
+  std::size_t open_ = 0; // edges without the face on the other side, so far
   unsigned bits_ = 4;
 };
-
-}
-
-namespace
-{
 
 // By which a cell with these faces and so many nodes misses Euler's formula.
 int missesOf(const EditMesh& mesh, std::uint32_t c, std::size_t corners, std::size_t nodes)
@@ -138,6 +139,37 @@ int missesOf(EditMesh& mesh, std::uint32_t c)
     }
   }
   return missesOf(mesh, c, corners, nodes);
+}
+
+std::size_t cornersOfFaces(const EditMesh& mesh, std::uint32_t c)
+{
+  std::size_t corners = 0;
+  for (const std::uint32_t f : mesh.facesOf(c))
+  {
+    corners += mesh.face(f).corners.size;
+  }
+  return corners;
+}
+
+// False: a face has an edge that another has in the same direction.
+bool addAll(const EditMesh& mesh, std::uint32_t c, Shell& shell)
+{
+  const Items faces = mesh.facesOf(c);
+  for (std::uint32_t i = 0; i < faces.size(); ++i)
+  {
+    const Items ring = mesh.cornersOf(faces[i]);
+    const bool isOutward = mesh.face(faces[i]).below == c;
+    std::uint32_t last = ring[ring.size() - 1];
+    for (const std::uint32_t n : ring)
+    {
+      if (!(isOutward ? shell.add(last, n, i) : shell.add(n, last, i)))
+      {
+        return false;
+      }
+      last = n;
+    }
+  }
+  return true;
 }
 
 }
@@ -174,6 +206,10 @@ void lowerMisses(EditMesh& mesh, std::uint32_t c)
   {
     mesh.changeCell(c).misses = static_cast<std::int16_t>(missesOf(mesh, c));
   }
+  if (mesh.cell(c).touches)
+  {
+    mesh.changeCell(c).touches = touchesItself(mesh, c);
+  }
 }
 
 bool isClosedByCount(EditMesh& mesh, std::uint32_t c)
@@ -188,28 +224,15 @@ bool isClosed(EditMesh& mesh, std::uint32_t c)
   {
     return false;
   }
-  const Items faces = mesh.facesOf(c);
-  std::size_t corners = 0;
-  for (const std::uint32_t f : faces)
-  {
-    corners += mesh.face(f).corners.size;
-  }
-  Shell shell(faces.size(), corners);
-  for (std::uint32_t i = 0; i < faces.size(); ++i)
-  {
-    const Items ring = mesh.cornersOf(faces[i]);
-    const bool isOutward = mesh.face(faces[i]).below == c;
-    std::uint32_t last = ring[ring.size() - 1];
-    for (const std::uint32_t n : ring)
-    {
-      if (!(isOutward ? shell.add(last, n, i) : shell.add(n, last, i)))
-      {
-        return false;
-      }
-      last = n;
-    }
-  }
-  return shell.isWhole();
+  Shell shell(mesh.facesOf(c).size(), cornersOfFaces(mesh, c), mesh.cell(c).touches);
+  return addAll(mesh, c, shell) && shell.isWhole();
+}
+
+bool touchesItself(const EditMesh& mesh, std::uint32_t c)
+{
+  Shell shell(mesh.facesOf(c).size(), cornersOfFaces(mesh, c), true);
+  addAll(mesh, c, shell);
+  return shell.touches();
 }
 
 }

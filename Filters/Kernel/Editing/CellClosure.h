@@ -12,13 +12,17 @@ namespace cartesian
 // edits may take these away, but make no more.
 void noteMisses(EditStore& store, Execution& execution);
 
-// Where edits took a handle away.
+// Where edits took a handle away, or an edge at which it touches itself.
 void lowerMisses(EditMesh& mesh, std::uint32_t c);
 
 // The first test, which nearly all that are not closed fail: that formula.
 bool isClosedByCount(EditMesh& mesh, std::uint32_t c);
 
-// Each edge is one of two faces, in opposite directions; all faces are one shell, with no more handles than noted.
+// Each edge is one of two faces, in opposite directions, or of several such pairs where the cell may touch itself; all faces are
+// one shell, with no more handles than noted.
 bool isClosed(EditMesh& mesh, std::uint32_t c);
+
+// Whether a cell has an edge of more than two faces.
+bool touchesItself(const EditMesh& mesh, std::uint32_t c);
 
 }

@@ -379,13 +379,21 @@ private:
     return true;
   }
 
-  // The face on the other side of an edge, or None.
+  // The face on the other side of an edge, or None. Where the cell touches itself along the edge, as where the rim of a sheet
+  // lies in a face that was divided there: that on the same side of the plane.
   std::uint32_t across(const Edge& edge) const
   {
     const Edge* found =
       std::lower_bound(edges_.begin(), edges_.end(), Edge{ edge.to, edge.from, 0 });
-    return found != edges_.end() && found->from == edge.to && found->to == edge.from ? found->face
-                                                                                     : None;
+    std::uint32_t face = None;
+    for (; found != edges_.end() && found->from == edge.to && found->to == edge.from; ++found)
+    {
+      if (face == None || inFront_[found->face] == inFront_[edge.face])
+      {
+        face = found->face;
+      }
+    }
+    return face;
   }
 
   // The edges between faces in front of the plane and behind it, in rings.
@@ -410,7 +418,7 @@ private:
         return false;
       }
     }
-    return section_.size() >= 3;
+    return section_.empty() || section_.size() >= 3; // parts may touch along edges alone
   }
 
   std::size_t groupOf(std::size_t face) const
@@ -474,7 +482,7 @@ private:
       }
       mesh_.setFaces(part, ofPart.data(), ofPart.size());
     }
-    return parts.size() >= 2 && makeSection(cellOf);
+    return parts.size() >= 2 && (section_.empty() || makeSection(cellOf));
   }
 
   std::uint32_t makePart()
@@ -506,7 +514,7 @@ private:
         ring.add(section_[at].from);
         at = nextInSection(at);
       } while (at != None && at != i && !isDone[at]);
-      if (at != i || ring.size() < 3 || !(areaOf(ring) > 0))
+      if (at != i || ring.size() < 3 || (!plane_.mayLookBack && !(areaOf(ring) > 0)))
       {
         return false;
       }

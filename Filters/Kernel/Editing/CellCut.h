@@ -13,6 +13,7 @@ struct CutPlane
   Vector through;
   Vector normal;    // of length 1
   double tolerance; // nodes as near as this lie on it
+  bool mayLookBack = false; // a face between parts may, where further edits follow
 };
 
 using CutParts = FixedList<std::uint32_t, 16>;

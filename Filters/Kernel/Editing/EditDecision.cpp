@@ -183,11 +183,9 @@ private:
   {
     EditFace& face = mesh.changeFace(f);
     mesh.ledger.cost += cost.value - face.cost;
-    mesh.ledger.failures += cost.fails - int(face.fails);
-    mesh.ledger.strains += int(cost.strains) - int(face.strains);
-    face.cost = cost.value;
-    face.fails = static_cast<std::uint8_t>(cost.fails);
-    face.strains = cost.strains;
+    mesh.ledger.count(face, -1);
+    setCost(face, cost);
+    mesh.ledger.count(face, 1);
   }
 
   FixedList<std::uint32_t, MostFacesChanged> faces_;

@@ -60,8 +60,8 @@ Cost<Number> costBetween(const EditMesh& mesh, std::uint32_t f, const ObjectiveS
     cellOf(face.above), mesh.cell(face.above).edge, scaled(face.original, -1), size, corner);
   const Cost<Number> one = cost.cost();
   const Cost<Number> other = back.cost();
-  return { one.value + other.value, std::max(one.fails, other.fails),
-    one.strains || other.strains };
+  return { one.value + other.value, std::max(one.fails, other.fails), one.strains || other.strains,
+    one.inverted + other.inverted, one.skew || other.skew };
 }
 
 // The faces of a cell that do not change: what they add to its sums, and how that changes with the mean.
@@ -389,11 +389,16 @@ void setCostOfCell(EditMesh& mesh, std::uint32_t c)
 
 void setCostOfFace(EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec)
 {
-  const Cost<double> cost = costOfFace(mesh, f, spec);
-  EditFace& face = mesh.rawFace(f);
+  setCost(mesh.rawFace(f), costOfFace(mesh, f, spec));
+}
+
+void setCost(EditFace& face, const Cost<double>& cost)
+{
   face.cost = cost.value;
   face.fails = static_cast<std::uint8_t>(cost.fails);
   face.strains = cost.strains;
+  face.inverted = static_cast<std::uint8_t>(cost.inverted);
+  face.skew = cost.skew;
 }
 
 void measureAll(EditStore& store, Execution& execution)

@@ -21,6 +21,7 @@ Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c);
 // ... as what they cost from now on.
 void setCostOfFace(EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec);
 void setCostOfCell(EditMesh& mesh, std::uint32_t c);
+void setCost(EditFace& face, const Cost<double>& cost);
 
 // Everything, where no edit is under way; then what that costs, for a specification.
 void measureAll(EditStore& store, Execution& execution);

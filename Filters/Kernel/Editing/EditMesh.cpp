@@ -470,10 +470,11 @@ void EditMesh::removeFace(std::uint32_t f, bool cellsFollow)
 {
   EditFace& face = changeFace(f);
   ledger.cost -= face.cost;
-  ledger.failures -= face.fails;
-  ledger.strains -= face.strains ? 1 : 0;
+  ledger.count(face, -1);
   face.fails = 0;
   face.strains = false;
+  face.inverted = 0;
+  face.skew = false;
   face.cost = 0;
   if (isSurface(f))
   {

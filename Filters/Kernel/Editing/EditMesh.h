@@ -36,9 +36,8 @@ enum class NodeKind : std::uint8_t
 
 enum class CellState : std::uint8_t
 {
-  Free,   // to change
-  Frozen, // it has its faces, but nothing of it may change
-  Ghost   // only its centre and volume are here, and those of its faces that others have
+  Free, // to change
+  Ghost // only its centre and volume are here, and those of its faces that others have
 };
 
 // Of items in one of the arenas.
@@ -108,6 +107,8 @@ struct EditFace
   bool gone = false;
   std::uint8_t fails = 0; // limits of solvers (WallObjective.h)
   bool strains = false;
+  std::uint8_t inverted = 0; // refused by checkMesh: sides
+  bool skew = false;         // ... too
 };
 
 // Whether a face is part of what the surface became: a wall, or between two regions, and so a wall of both.
@@ -140,6 +141,7 @@ struct EditCell : CellOrigin
   CellState state = CellState::Free;
   bool gone = false;
   bool strains = false; // solvers (WallObjective.h)
+  bool touches = false; // itself along an edge, where the surface does: it may
 };
 
 // What edits since the last commit have changed.
@@ -151,6 +153,16 @@ struct Ledger
   double fidelity = 0; // charges for what the wall lost
   int failures = 0;    // of faces: the sum of EditFace::fails
   int strains = 0;     // faces and cells that strain solvers
+  int inverted = 0;    // sides of faces, and
+  int skew = 0;        // faces, that checkMesh refuses
+
+  void count(const EditFace& face, int sign)
+  {
+    failures += sign * int(face.fails);
+    strains += sign * int(face.strains);
+    inverted += sign * int(face.inverted);
+    skew += sign * int(face.skew);
+  }
 };
 
 // Items of a list in the arena; no longer valid once the mesh changes.

@@ -74,6 +74,20 @@ public:
     listLeft();
   }
 
+  void runAround(const std::vector<std::uint32_t>& cells)
+  {
+    std::fill(isOver_.begin(), isOver_.end(), 1);
+    for (const std::uint32_t c : cells)
+    {
+      isOver_[c] = 0;
+    }
+    listLeft();
+    divideByGroups();
+    look(0);
+    setZones(0);
+    store_.compact(execution_);
+  }
+
   void run()
   {
     for (const Round& round : Rounds)
@@ -475,6 +489,12 @@ void editInZones(EditStore& store, Execution& execution,
   const std::function<void(const ZoneTask&)>& work, bool looksAgain)
 {
   ZoneRounds(store, execution, work, looksAgain).run();
+}
+
+void editInGroups(EditStore& store, Execution& execution, const std::vector<std::uint32_t>& cells,
+  const std::function<void(const ZoneTask&)>& work)
+{
+  ZoneRounds(store, execution, work, false).runAround(cells);
 }
 
 }

@@ -48,4 +48,8 @@ struct ZoneTask
 void editInZones(EditStore& store, Execution& execution,
   const std::function<void(const ZoneTask&)>& work, bool looksAgain = false);
 
+// Calls work for each connected group of some cells, in order, with their surroundings.
+void editInGroups(EditStore& store, Execution& execution, const std::vector<std::uint32_t>& cells,
+  const std::function<void(const ZoneTask&)>& work);
+
 }

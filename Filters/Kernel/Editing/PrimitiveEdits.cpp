@@ -325,6 +325,45 @@ bool joinFaces(EditMesh& mesh, std::uint32_t f, std::uint32_t g)
   return true;
 }
 
+bool passFace(EditMesh& mesh, std::uint32_t c, std::uint32_t f, std::uint32_t g)
+{
+  const EditFace over = mesh.face(f);
+  const EditFace passed = mesh.face(g);
+  const std::uint32_t to = mesh.beyond(f, c);
+  Few a;
+  Few b;
+  Few ring;
+  SharedRow row;
+  if (f == g || over.gone || passed.gone || to == None || mesh.isSurface(f) || mesh.beyond(g, c) == to ||
+    mesh.cell(to).region != mesh.cell(c).region || touchesFrozen(mesh, f) || touchesFrozen(mesh, g) ||
+    !copy(mesh.cornersOf(f), a) || !copy(mesh.cornersOf(g), b))
+  {
+    return false;
+  }
+  if ((over.below == c) != (passed.below == c))
+  {
+    std::reverse(b.begin(), b.end());
+  }
+  if (!findSharedRow(a, b, row) || !traceUnion(a, b, row, ring))
+  {
+    return false;
+  }
+  mesh.setCorners(f, ring.data(), ring.size());
+  mesh.giveFace(g, c, to);
+  Few kept;
+  for (const std::uint32_t h : mesh.facesOf(c))
+  {
+    if (h != g && !kept.add(h))
+    {
+      return false;
+    }
+  }
+  mesh.setFaces(c, kept.data(), kept.size());
+  mesh.addFaceTo(to, g);
+  mesh.unsettled.faces.add(g);
+  return true;
+}
+
 std::uint32_t splitFace(EditMesh& mesh, std::uint32_t f, std::size_t i, std::size_t j)
 {
   Few ring;
@@ -357,6 +396,8 @@ std::uint32_t splitFace(EditMesh& mesh, std::uint32_t f, std::size_t i, std::siz
   made.behind = 0;
   made.fails = 0;
   made.strains = false;
+  made.inverted = 0;
+  made.skew = false;
   made.number = None;
   made.debt *= part;
   mesh.setCorners(f, kept.data(), kept.size());

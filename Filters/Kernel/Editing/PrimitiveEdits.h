@@ -16,6 +16,10 @@ bool collapseEdge(EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Vector
 // whose inner nodes go.
 bool joinFaces(EditMesh& mesh, std::uint32_t f, std::uint32_t g);
 
+// Face g of cell c becomes one of the cell beyond c's inner face f, and f grows by it: they share one row of edges. As where
+// a wall hangs on a cell by a flap that is folded around its rim. No place, area of walls or volume in all changes.
+bool passFace(EditMesh& mesh, std::uint32_t c, std::uint32_t f, std::uint32_t g);
+
 // Divides a face between its corners i and j. Returns the new one, or None.
 std::uint32_t splitFace(EditMesh& mesh, std::uint32_t f, std::size_t i, std::size_t j);
 

@@ -5,6 +5,8 @@
 #include "Editing/EditMeasures.h"
 #include "Editing/EditZones.h"
 #include "Editing/NodePlaces.h"
+#include "Editing/RefusalEnding.h"
+#include "Editing/Refusals.h"
 #include "Editing/ShortEdges.h"
 #include "Editing/SmallCells.h"
 #include "Editing/TrueVolume.h"
@@ -141,6 +143,80 @@ void improveFailing(const ZoneTask& task, const Loops& loops, const std::functio
   }
 }
 
+std::vector<std::uint32_t> refusedCells(EditStore& store, Execution& execution)
+{
+  constexpr std::size_t CellsAChunk = 1024;
+  std::vector<std::vector<std::uint32_t>> ofChunks(chunks(store.cells.size(), CellsAChunk));
+  execution.forEach(store.cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    const EditMesh mesh(store, 0, 0, {});
+    for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c)
+    {
+      if (mesh.isFree(c) && isRefused(mesh, c))
+      {
+        ofChunks[begin / CellsAChunk].push_back(c);
+      }
+    }
+  });
+  return concatenated(ofChunks);
+}
+
+// What the last step made poor: as all else, so that nothing fails that did not.
+void improveMade(const ZoneTask& task, const Loops& loops, const std::function<void()>& poll,
+  std::vector<MadeEdit>& edits)
+{
+  const EditMesh& mesh = task.mesh;
+  const Items made = mesh.madeCells();
+  std::vector<std::uint32_t> poor;
+  for (const Items cells : { Items{ task.cells.data(), task.cells.data() + task.cells.size() }, made })
+  {
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(poor), [&](std::uint32_t c) {
+      const Items faces = mesh.facesOf(c);
+      return mesh.isFree(c) &&
+        std::any_of(
+          faces.begin(), faces.end(), [&](std::uint32_t f) { return mesh.face(f).fails > 0; });
+    });
+  }
+  if (!poor.empty())
+  {
+    const ZoneTask again{ task.mesh, poor, task.zone, task.isOver };
+    append(edits, improve(again, loops.general, poll));
+    improveFailing(again, loops, poll, edits);
+  }
+}
+
+// Whatever solvers still refuse.
+void endAll(
+  EditStore& store, const Loops& loops, Execution& execution, std::vector<MadeEdit>& edits)
+{
+  constexpr int Rounds = 3;
+  const auto poll = [&] { execution.poll(); };
+  std::vector<RemovedPiece> removed;
+  std::mutex mutex;
+  for (int round = 0; round < Rounds; ++round)
+  {
+    const std::vector<std::uint32_t> cells = refusedCells(store, execution);
+    if (cells.empty())
+    {
+      return;
+    }
+    std::vector<RemovedPiece> all = removed;
+    editInGroups(store, execution, cells, [&](const ZoneTask& task) {
+      std::vector<MadeEdit> ofZone;
+      std::vector<RemovedPiece> pieces = removed;
+      endRefusals(task, loops.general.rules, pieces, ofZone, poll);
+      if (round + 1 < Rounds)
+      {
+        improveMade(task, loops, poll, ofZone);
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      edits.insert(edits.end(), ofZone.begin(), ofZone.end());
+      all.insert(all.end(), pieces.begin() + std::ptrdiff_t(removed.size()), pieces.end());
+    });
+    removed = std::move(all);
+    std::sort(removed.begin(), removed.end());
+  }
+}
+
 }
 
 std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, Execution& execution)
@@ -194,6 +270,10 @@ std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, E
     centreWalls(store, general.rules.spec, execution);
   }
   pay();
+  if (spec.mayChangeWalls)
+  {
+    endAll(store, loops, execution, edits);
+  }
   separateNodes(store, execution);
   sortAll(edits, execution); // zones end in any order
   return edits;

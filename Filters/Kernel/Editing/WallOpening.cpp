@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Base/EdgeTable.h"
 #include "Base/Sorting.h"
 #include "Editing/CellClosure.h"
 #include "Editing/EditMeasures.h"
@@ -46,7 +45,7 @@ public:
     addFaces();
     store_.connect(execution_);
     hold();
-    freeze();
+    noteTouching();
     measure();
     findNodeKinds(
       store_, { parts_.nodes.kinds, parts_.patches.knowsEdges }, featureAngle, execution_);
@@ -323,45 +322,12 @@ private:
                                   : std::uint8_t(0);
   }
 
-  // Cells that touch themselves along an edge, where the surface does, stay as they are.
-  void freeze()
+  // Cells that touch themselves along an edge, as where the surface does.
+  void noteTouching()
   {
-    execution_.forEach(keys_.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
-      EdgeTable edges; // of a cell, counter-clockwise
-      for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c)
-      {
-        if (!isHexahedron(keys_[c]) && touchesItself(c, edges))
-        {
-          store_.cells[c].state = CellState::Frozen;
-        }
-      }
+    forEach(keys_.size(), [&](std::uint32_t c) {
+      store_.cells[c].touches = !isHexahedron(keys_[c]) && touchesItself(result_.mesh, c);
     });
-  }
-
-  bool touchesItself(std::uint32_t c, EdgeTable& edges) const
-  {
-    const EditMesh& mesh = result_.mesh;
-    std::size_t count = 0;
-    for (const std::uint32_t f : mesh.facesOf(c))
-    {
-      count += mesh.cornersOf(f).size();
-    }
-    edges.reset(count);
-    bool does = false;
-    for (const std::uint32_t f : mesh.facesOf(c))
-    {
-      const Items corners = mesh.cornersOf(f);
-      const bool turned = mesh.face(f).above == c;
-      std::uint32_t from = corners[corners.size() - 1];
-      for (const std::uint32_t to : corners)
-      {
-        std::uint32_t& known = turned ? edges.at(to, from) : edges.at(from, to);
-        does = does || known != EdgeTable::Fresh;
-        known = 0;
-        from = to;
-      }
-    }
-    return does;
   }
 
   // --- measures

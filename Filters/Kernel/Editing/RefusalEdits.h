@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edits that may take apart a cell that solvers refuse (Refusals.h): most wrap around the rim of something thin that ends
+// within them, so that the wall of its one side is inverted as seen from a centre on the other.
+#pragma once
+
+#include "Editing/CellCut.h"
+#include "Editing/Proposals.h"
+
+namespace cartesian
+{
+
+// A pass or a join of faces, a merge of cells; or a cut by `plane`, which may look back: a pass or a join follows then.
+struct RefusalEdit
+{
+  EditKind kind;
+  std::uint32_t a;
+  std::uint32_t b = 0;
+  std::uint32_t c = 0; // of a pass
+  CutPlane plane{};
+};
+
+// Of a cell with refused faces, the most likely first.
+std::vector<RefusalEdit> editsOfRefused(const EditMesh& mesh, std::uint32_t c);
+
+// Through the middle of a cell, across its longest extents first.
+std::vector<CutPlane> planesThroughMiddle(const EditMesh& mesh, std::uint32_t c);
+
+}

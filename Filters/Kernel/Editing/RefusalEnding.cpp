@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/RefusalEnding.h"
+
+#include "Editing/Debts.h"
+#include "Editing/EditMeasures.h"
+#include "Editing/PrimitiveEdits.h"
+#include "Editing/RefusalEdits.h"
+#include "Editing/RefusalSearch.h"
+#include "Editing/Refusals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// What may go in all within so many boxes of a place, in boxes; what is left stays refused, and is told.
+constexpr double MostRemoved = 1;
+constexpr double NearRemoved = 4;
+
+constexpr double SmallPiece = 0.3; // of its box: goes to a neighbour
+
+// A piece that would go is halved before, unless it is smaller: of its box. Bodies thinner than boxes are all that is there.
+constexpr double LeastHalved = 1.0 / 512;
+constexpr int MostHalvings = 6;
+
+class RefusalEnder
+{
+public:
+  RefusalEnder(const ZoneTask& task, const EditRules& rules, std::vector<RemovedPiece>& removed)
+    : mesh_(task.mesh)
+    , rules_(rules)
+    , removed_(removed)
+    , pieces_(task.mesh, rules.spec)
+  {
+  }
+
+  void end(std::uint32_t c, std::vector<MadeEdit>& edits)
+  {
+    const EditMesh::Mark mark = mesh_.mark();
+    const Refusals before = pieces_.begin(c);
+    const std::size_t removedBefore = removed_.size();
+    made_.clear();
+    searchRefusals(pieces_, SearchBudget());
+    mergeSmall();
+    halve();
+    removeRefused();
+    const Refusals now = pieces_.refusals();
+    const bool isLess =
+      now.inverted != before.inverted ? now.inverted < before.inverted : now.skew < before.skew;
+    if (!isLess)
+    {
+      mesh_.undo(mark);
+      removed_.resize(removedBefore);
+      return;
+    }
+    if (removed_.size() == removedBefore) // else neighbours would swell
+    {
+      passOnDebts(mesh_);
+    }
+    if (pieces_.all().size() > 1)
+    {
+      edits.push_back(madeEdit(mesh_, EditKind::Cut, c));
+    }
+    edits.insert(edits.end(), made_.begin(), made_.end());
+    mesh_.commit();
+  }
+
+private:
+  // Into a neighbour that is no piece, where nothing gets worse by that.
+  void mergeSmall()
+  {
+    for (const std::uint32_t p : pieces_.copy())
+    {
+      if (pieces_.size() < 2 || mesh_.cell(p).gone || mesh_.cell(p).volume > SmallPiece * mesh_.cell(p).box)
+      {
+        continue;
+      }
+      for (const std::uint32_t n : largestNeighbours(mesh_, p))
+      {
+        if (!pieces_.contains(n) && pieces_.tryEdit(false, [&] { return mergeCells(mesh_, n, p); }))
+        {
+          pieces_.addRefused(n);
+          break;
+        }
+      }
+    }
+  }
+
+  // Pieces that would go, again and again, as far as something of them stays then.
+  void halve()
+  {
+    std::vector<std::uint32_t> todo = pieces_.copy();
+    for (int round = 0; round < MostHalvings && !todo.empty(); ++round)
+    {
+      std::vector<std::uint32_t> next;
+      for (const std::uint32_t p : todo)
+      {
+        if (!mesh_.cell(p).gone && mesh_.isFree(p) && hasInverted(mesh_, p) &&
+          mesh_.cell(p).volume > LeastHalved * mesh_.cell(p).box)
+        {
+          halve(p, next);
+        }
+      }
+      todo.swap(next);
+    }
+  }
+
+  void halve(std::uint32_t p, std::vector<std::uint32_t>& next)
+  {
+    const std::size_t first = pieces_.all().size();
+    for (const CutPlane& plane : planesThroughMiddle(mesh_, p))
+    {
+      if (pieces_.make({ EditKind::Cut, p, 0, 0, plane }))
+      {
+        next.push_back(p);
+        next.insert(next.end(), pieces_.all().begin() + std::ptrdiff_t(first), pieces_.all().end());
+        searchRefusals(pieces_, SearchBudget::ofHalves());
+        return;
+      }
+    }
+  }
+
+  // The smallest first, as long as that helps.
+  void removeRefused()
+  {
+    for (bool isAny = true; isAny && !pieces_.isEnded();)
+    {
+      std::vector<std::uint32_t> refused = pieces_.refused();
+      std::sort(refused.begin(), refused.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::make_pair(mesh_.cell(a).volume, a) < std::make_pair(mesh_.cell(b).volume, b);
+      });
+      isAny = std::any_of(
+        refused.begin(), refused.end(), [&](std::uint32_t p) { return remove(p); });
+    }
+  }
+
+  bool remove(std::uint32_t p)
+  {
+    const RemovedPiece piece{ mesh_.cell(p).centre, mesh_.cell(p).volume / mesh_.cell(p).box };
+    const MadeEdit edit = madeEdit(mesh_, EditKind::Remove, p);
+    if (!mayRemove(p, piece) || isBridge(mesh_, p) ||
+      !pieces_.tryEdit(true, [&] { return removeCell(mesh_, p); }))
+    {
+      return false;
+    }
+    removed_.push_back(piece);
+    made_.push_back(edit);
+    return true;
+  }
+
+  bool mayRemove(std::uint32_t p, const RemovedPiece& piece) const
+  {
+    double sum = piece.boxes;
+    for (const RemovedPiece& other : removed_)
+    {
+      const Vector way = minus(other.at, piece.at);
+      const double distance =
+        std::max({ std::abs(way[0]), std::abs(way[1]), std::abs(way[2]) });
+      sum += distance <= NearRemoved * mesh_.cell(p).edge ? other.boxes : 0;
+    }
+    return sum <= MostRemoved;
+  }
+
+  EditMesh& mesh_;
+  const EditRules& rules_;
+  std::vector<RemovedPiece>& removed_;
+  RefusedPieces pieces_;
+  std::vector<MadeEdit> made_;
+};
+
+}
+
+void endRefusals(const ZoneTask& task, const EditRules& rules, std::vector<RemovedPiece>& removed,
+  std::vector<MadeEdit>& edits, const std::function<void()>& poll)
+{
+  RefusalEnder ender(task, rules, removed);
+  for (const std::uint32_t c : task.cells)
+  {
+    poll();
+    if (task.mesh.isFree(c) && isRefused(task.mesh, c))
+    {
+      ender.end(c, edits);
+    }
+  }
+}
+
+}

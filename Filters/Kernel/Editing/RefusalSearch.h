@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edits one after another that take a refused cell apart (RefusalEdits.h): the fewest that leave nothing of it refused.
+#pragma once
+
+#include "Editing/EditDecision.h"
+#include "Editing/RefusalEdits.h"
+#include "Editing/Refusals.h"
+
+#include <vector>
+
+namespace cartesian
+{
+
+// A cell that is refused, and what it becomes: its parts, and neighbours that are refused for what they took over.
+class RefusedPieces
+{
+public:
+  RefusedPieces(EditMesh& mesh, const ObjectiveSpec& spec)
+    : mesh_(mesh)
+    , spec_(spec)
+  {
+  }
+
+  // Nothing else has changed since the last commit. What is refused now.
+  Refusals begin(std::uint32_t c);
+
+  // What is refused more than at the beginning, or less.
+  Refusals refusals() const { return refusalsOf(mesh_, pieces_); }
+
+  // Whether all that was refused of the cell has ended, and no more has begun.
+  bool isEnded() const { return refusals().isWithin(aim_); }
+  const Refusals& aim() const { return aim_; }
+
+  EditMesh& mesh() { return mesh_; }
+  const std::vector<std::uint32_t>& all() const { return pieces_; }
+  std::vector<std::uint32_t> copy() const { return pieces_; }
+  bool contains(std::uint32_t c) const;
+  std::size_t size() const { return pieces_.size(); }
+
+  // The pieces that have inverted faces.
+  std::vector<std::uint32_t> refused() const;
+
+  // That with most of them, then of skew ones, or None.
+  std::uint32_t worst() const;
+
+  void addRefused(std::uint32_t c);
+
+  // Makes a valid edit, and follows its pieces. False: undone.
+  bool make(const RefusalEdit& edit);
+
+  // Any edit, if it ranks before what was, or not behind it where it does not have to be better. Else it is undone.
+  template <class Edit>
+  bool tryEdit(bool hasToBeBetter, Edit&& edit)
+  {
+    const Refusals before = refusals();
+    const EditMesh::Mark mark = mesh_.mark();
+    const bool isValid = edit() && isSettled(mark);
+    const Refusals after = isValid ? refusals() : before;
+    const bool isMade = isValid && (after < before || (!hasToBeBetter && !(before < after)));
+    isMade ? mesh_.keep(mark) : mesh_.undo(mark);
+    return isMade;
+  }
+
+  // For what is undone.
+  void resize(std::size_t size) { pieces_.resize(size); }
+
+private:
+  void add(std::uint32_t c);
+  bool apply(const RefusalEdit& edit, CutParts& parts);
+  bool isSettled(const EditMesh::Mark& mark)
+  {
+    return settle(mesh_, spec_) && areAllClosed(mesh_, mark);
+  }
+
+  EditMesh& mesh_;
+  const ObjectiveSpec& spec_;
+  std::vector<std::uint32_t> pieces_;
+  Refusals aim_;
+};
+
+struct SearchBudget
+{
+  int depth = 5;              // edits one after another
+  int trials = 700;           // of each depth
+  static SearchBudget ofHalves() { return { 2, 150 }; }
+};
+
+// Makes the best edits that it finds.
+void searchRefusals(RefusedPieces& pieces, const SearchBudget& budget);
+
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/Refusals.h"
+
+#include "Acceptance/Limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// Volumes that differ by less, by their sum, are the same.
+constexpr double SameVolume = 1e-9;
+
+bool isFacingAway(const EditMesh& mesh, std::uint32_t f)
+{
+  const EditFace& face = mesh.face(f);
+  return !mesh.isSurface(f) &&
+    !(dot(face.area, minus(mesh.cell(face.above).centre, mesh.cell(face.below).centre)) > 0);
+}
+
+// By checkMesh's aspect ratio; nearer than its limit.
+bool isLong(const EditMesh& mesh, std::uint32_t c)
+{
+  constexpr double Most = 0.9 * Limits::AspectRatio;
+  Vector sum{};
+  for (const std::uint32_t f : mesh.facesOf(c))
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      sum[k] += std::abs(mesh.face(f).area[k]);
+    }
+  }
+  const auto [least, most] = std::minmax_element(sum.begin(), sum.end());
+  const double hull = (sum[0] + sum[1] + sum[2]) / 6;
+  const double edge = std::cbrt(mesh.cell(c).volume);
+  return !(*most < Most * *least) || !(hull < Most * edge * edge);
+}
+
+}
+
+bool Refusals::operator<(const Refusals& other) const
+{
+  if (inverted != other.inverted)
+  {
+    return inverted < other.inverted;
+  }
+  if (skew != other.skew)
+  {
+    return skew < other.skew;
+  }
+  if (std::abs(volume - other.volume) > SameVolume * (volume + other.volume))
+  {
+    return volume < other.volume;
+  }
+  return poor < other.poor;
+}
+
+Refusals refusalsOf(const EditMesh& mesh, const std::vector<std::uint32_t>& cells)
+{
+  Refusals sum{ mesh.ledger.inverted, mesh.ledger.skew, 0, mesh.ledger.failures };
+  for (const std::uint32_t c : cells)
+  {
+    if (!mesh.cell(c).gone)
+    {
+      sum.skew += isLong(mesh, c) ? 1 : 0;
+      sum.volume += hasInverted(mesh, c) ? mesh.cell(c).volume : 0;
+    }
+  }
+  return sum;
+}
+
+bool isInvertedFrom(const EditMesh& mesh, std::uint32_t f, std::uint32_t c)
+{
+  const EditFace& face = mesh.face(f);
+  if (face.inverted == 0)
+  {
+    return false;
+  }
+  const double out = dot(face.area, minus(face.centre, mesh.cell(c).centre));
+  return !((face.below == c ? out : -out) > 0) || isFacingAway(mesh, f);
+}
+
+bool hasInverted(const EditMesh& mesh, std::uint32_t c)
+{
+  const Items faces = mesh.facesOf(c);
+  return std::any_of(
+    faces.begin(), faces.end(), [&](std::uint32_t f) { return isInvertedFrom(mesh, f, c); });
+}
+
+bool isRefused(const EditMesh& mesh, std::uint32_t c)
+{
+  const Items faces = mesh.facesOf(c);
+  return isLong(mesh, c) || std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+    return mesh.face(f).skew || isInvertedFrom(mesh, f, c);
+  });
+}
+
+Refusals refusalsIn(const EditMesh& mesh, std::uint32_t c)
+{
+  Refusals sum{};
+  for (const std::uint32_t f : mesh.facesOf(c))
+  {
+    const EditFace& face = mesh.face(f);
+    const double out = dot(face.area, minus(face.centre, mesh.cell(c).centre));
+    sum.inverted += int(!((face.below == c ? out : -out) > 0)) + int(isFacingAway(mesh, f));
+    sum.skew += face.skew ? 1 : 0;
+  }
+  sum.skew += isLong(mesh, c) ? 1 : 0;
+  return sum;
+}
+
+}
