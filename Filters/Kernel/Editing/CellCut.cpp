@@ -388,7 +388,7 @@ private:
     std::uint32_t face = None;
     for (; found != edges_.end() && found->from == edge.to && found->to == edge.from; ++found)
     {
-      if (face == None || inFront_[found->face] == inFront_[edge.face])
+      if (face == None || (inFront_[found->face] == inFront_[edge.face] && plane_.mayLookBack))
       {
         face = found->face;
       }
@@ -418,7 +418,8 @@ private:
         return false;
       }
     }
-    return section_.empty() || section_.size() >= 3; // parts may touch along edges alone
+    return (section_.empty() && plane_.mayLookBack) ||
+      section_.size() >= 3; // parts may touch along edges alone
   }
 
   std::size_t groupOf(std::size_t face) const

@@ -11,8 +11,8 @@ namespace cartesian
 struct CutPlane
 {
   Vector through;
-  Vector normal;    // of length 1
-  double tolerance; // nodes as near as this lie on it
+  Vector normal;            // of length 1
+  double tolerance;         // nodes as near as this lie on it
   bool mayLookBack = false; // a face between parts may, where further edits follow
 };
 

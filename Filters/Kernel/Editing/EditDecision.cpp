@@ -495,6 +495,7 @@ double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark
 {
   const Ledger& ledger = mesh.ledger;
   if (ledger.failures > 0 || (ledger.failures == 0 && ledger.strains > 0) ||
+    (!rules.mayTrade && (ledger.inverted > 0 || ledger.skew > 0)) ||
     ledger.fidelity > rules.spec.mostLost)
   {
     return NoGain;

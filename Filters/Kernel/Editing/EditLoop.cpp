@@ -392,8 +392,6 @@ private:
       case EditKind::SplitFace:
       case EditKind::Flatten:
         return versionOfFace(proposal.a);
-      case EditKind::Pass:
-        return versionOfFace(proposal.a) + versionOfFace(proposal.b);
       default:
         return versionOfNode(proposal.a) + versionOfNode(proposal.b);
     }

@@ -39,8 +39,8 @@ struct LoopCounts
 {
   std::vector<MadeEdit> edits;
   std::size_t items = 0;
-  std::array<std::size_t, 9> tried{}; // by EditKind
-  std::array<std::size_t, 9> made{};
+  std::array<std::size_t, 8> tried{}; // by EditKind
+  std::array<std::size_t, 8> made{};
 };
 
 // Costs are of the same objective (costAll). `poll`: called now and then; may throw.

@@ -25,6 +25,9 @@ constexpr std::size_t CellsASample = 16;
 // The last zones reach so far beyond what is left.
 constexpr int Surroundings = 5;
 
+// ... and those around refused cells, which may touch others at nodes alone.
+constexpr int SurroundingsByNodes = 3;
+
 using Directions = std::array<Vector, 3>;
 
 struct Round
@@ -82,7 +85,8 @@ public:
       isOver_[c] = 0;
     }
     listLeft();
-    divideByGroups();
+    divideByGroups(
+      SurroundingsByNodes, [&](std::uint32_t c, auto&& visit) { forEachAtNodes(c, visit); });
     look(0);
     setZones(0);
     store_.compact(execution_);
@@ -104,7 +108,7 @@ public:
     }
     if (!left_.empty())
     {
-      divideByGroups();
+      divideByGroups(Surroundings, [&](std::uint32_t c, auto&& visit) { forEachBeside(c, visit); });
       look(0);
     }
     setZones(0);
@@ -213,21 +217,22 @@ private:
     }
   }
 
-  // Each connected group of what is left, with its surroundings.
-  void divideByGroups()
+  // Each connected group of what is left, with so many rings around it. forEachNear(c, visit): what is in the ring of c.
+  template <class ForEachNear>
+  void divideByGroups(int rings, ForEachNear&& forEachNear)
   {
     setZones(None);
     std::vector<std::atomic<std::uint8_t>> isMember(store_.cells.size());
     forEach(left_.size(), [&](std::uint32_t i) { isMember[left_[i]] = 1; });
     std::vector<std::uint32_t> members = left_;
     std::size_t begin = 0;
-    for (int ring = 0; ring < Surroundings; ++ring)
+    for (int ring = 0; ring < rings; ++ring)
     {
       const std::size_t first = begin;
       begin = members.size();
       const std::vector<std::uint32_t> more =
         find<std::uint32_t>(begin - first, [&](std::uint32_t i, auto& found) {
-          forEachBeside(members[first + i], [&](std::uint32_t c) {
+          forEachNear(members[first + i], [&](std::uint32_t c) {
             if (isEditable(c) && isMember[c].exchange(1, std::memory_order_relaxed) == 0)
             {
               found.push_back(c);
@@ -237,16 +242,17 @@ private:
       members.insert(members.end(), more.begin(), more.end());
     }
     sortAll(members, execution_);
-    nameGroups(members);
+    nameGroups(members, forEachNear);
   }
 
-  void nameGroups(const std::vector<std::uint32_t>& members)
+  template <class ForEachNear>
+  void nameGroups(const std::vector<std::uint32_t>& members, ForEachNear&& forEachNear)
   {
     forEach(members.size(), [&](std::uint32_t i) { store_.cells[members[i]].zone = 0; });
     DisjointSets groups(store_.cells.size());
     for (const std::uint32_t c : members)
     {
-      forEachBeside(c, [&](std::uint32_t other) {
+      forEachNear(c, [&](std::uint32_t other) {
         if (other < c && store_.cells[other].zone == 0)
         {
           groups.unite(c, other);
@@ -286,6 +292,23 @@ private:
       if (other != None)
       {
         visit(other);
+      }
+    }
+  }
+
+  // Cells that share a node, themselves too; some several times.
+  template <class Visitor>
+  void forEachAtNodes(std::uint32_t c, Visitor&& visit) const
+  {
+    for (const std::uint32_t f : listOf(store_.cells[c].faces))
+    {
+      for (const std::uint32_t n : listOf(store_.faces[f].corners))
+      {
+        for (const std::uint32_t g : listOf(store_.nodes[n].faces))
+        {
+          visit(store_.faces[g].below);
+          store_.faces[g].above != None ? visit(store_.faces[g].above) : void();
+        }
       }
     }
   }

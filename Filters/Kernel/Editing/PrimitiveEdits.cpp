@@ -334,9 +334,10 @@ bool passFace(EditMesh& mesh, std::uint32_t c, std::uint32_t f, std::uint32_t g)
   Few b;
   Few ring;
   SharedRow row;
-  if (f == g || over.gone || passed.gone || to == None || mesh.isSurface(f) || mesh.beyond(g, c) == to ||
-    mesh.cell(to).region != mesh.cell(c).region || touchesFrozen(mesh, f) || touchesFrozen(mesh, g) ||
-    !copy(mesh.cornersOf(f), a) || !copy(mesh.cornersOf(g), b))
+  if (f == g || over.gone || passed.gone || to == None || mesh.isSurface(f) ||
+    mesh.beyond(g, c) == to || mesh.cell(to).region != mesh.cell(c).region ||
+    touchesFrozen(mesh, f) || touchesFrozen(mesh, g) || !copy(mesh.cornersOf(f), a) ||
+    !copy(mesh.cornersOf(g), b))
   {
     return false;
   }

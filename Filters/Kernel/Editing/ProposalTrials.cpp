@@ -142,8 +142,6 @@ bool ProposalTrials::apply(const Proposal& proposal)
       return rules_.mayCut && withoutLimit([&] { return flatten(proposal.a); });
     case EditKind::Cut:
       return rules_.mayCut && withoutLimit([&] { return cut(proposal); });
-    case EditKind::Pass:
-      return rules_.mayCut && passFace(mesh_, proposal.c, proposal.a, proposal.b) && settle();
   }
   return false;
 }

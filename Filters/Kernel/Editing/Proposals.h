@@ -19,8 +19,7 @@ enum class EditKind : std::uint8_t
   Move,      // node a to `at`
   SplitFace, // face a between corners b and c
   Flatten,   // wall a and the small walls around it, of the same cell, become one
-  Cut,       // cell a by the plane through `at`, across `normal`
-  Pass       // face b of cell c goes to the cell beyond its face a
+  Cut        // cell a by the plane through `at`, across `normal`
 };
 
 struct Proposal

@@ -84,10 +84,20 @@ bool isBackToBack(const EditMesh& mesh, std::uint32_t f, std::uint32_t c)
 // In the planes of the cell's faces: those that are refused, walls back to back with them, other walls, inner faces.
 void addPlanesOfFaces(const EditMesh& mesh, std::uint32_t c, std::vector<CutPlane>& planes)
 {
-  enum { Bad, Back, Wall, Inner, Kinds };
+  enum
+  {
+    Bad,
+    Back,
+    Wall,
+    Inner,
+    Kinds
+  };
   const double edge = mesh.cell(c).edge;
   const auto kindOf = [&](std::uint32_t f) {
-    return isBad(mesh, f, c) ? Bad : isBackToBack(mesh, f, c) ? Back : mesh.isSurface(f) ? Wall : Inner;
+    return isBad(mesh, f, c)     ? Bad
+      : isBackToBack(mesh, f, c) ? Back
+      : mesh.isSurface(f)        ? Wall
+                                 : Inner;
   };
   RankedPlanes ranked(edge);
   for (int kind = 0; kind < Kinds; ++kind)
@@ -156,15 +166,15 @@ void addPassesAndJoins(const EditMesh& mesh, std::uint32_t c, std::vector<Refusa
       {
         if (!mesh.isSurface(f) || (couldJoin(mesh, f, g, c) && sharpnessBetween(mesh, f, g) == 0))
         {
-          edits.push_back({ EditKind::Join, f, g });
+          edits.push_back({ RefusalEdit::Kind::Join, f, g });
         }
       }
       else if (!mesh.isSurface(f))
       {
-        edits.push_back({ EditKind::Pass, f, g, c });
+        edits.push_back({ RefusalEdit::Kind::Pass, f, g, c });
         if (!mesh.isSurface(g) && mesh.face(g).skew)
         {
-          edits.push_back({ EditKind::Pass, g, f, c });
+          edits.push_back({ RefusalEdit::Kind::Pass, g, f, c });
         }
       }
     }
@@ -192,12 +202,12 @@ std::vector<RefusalEdit> editsOfRefused(const EditMesh& mesh, std::uint32_t c)
   }
   for (const CutPlane& plane : planes)
   {
-    edits.push_back({ EditKind::Cut, c, 0, 0, plane });
+    edits.push_back({ RefusalEdit::Kind::Cut, c, 0, 0, plane });
   }
   const Neighbours neighbours = largestNeighbours(mesh, c);
   for (std::size_t i = 0; i < std::min(MostMerges, neighbours.size()); ++i)
   {
-    edits.push_back({ EditKind::Merge, neighbours[i], c });
+    edits.push_back({ RefusalEdit::Kind::Merge, neighbours[i], c });
   }
   return edits;
 }

@@ -9,13 +9,21 @@
 namespace cartesian
 {
 
-// A pass or a join of faces, a merge of cells; or a cut by `plane`, which may look back: a pass or a join follows then.
+// In order of likelihood.
 struct RefusalEdit
 {
-  EditKind kind;
+  enum class Kind : std::uint8_t
+  {
+    Pass,  // face b of cell c goes to the cell beyond its face a
+    Join,  // face b becomes part of a
+    Cut,   // cell a by `plane`; the face between parts may look back: a pass or a join follows
+    Merge, // cell b becomes part of a
+  };
+
+  Kind kind;
   std::uint32_t a;
   std::uint32_t b = 0;
-  std::uint32_t c = 0; // of a pass
+  std::uint32_t c = 0;
   CutPlane plane{};
 };
 

@@ -21,6 +21,9 @@ namespace
 constexpr double MostRemoved = 1;
 constexpr double NearRemoved = 4;
 
+// Before more goes, halving is tried: boxes.
+constexpr double MuchRemoved = 0.02;
+
 constexpr double SmallPiece = 0.3; // of its box: goes to a neighbour
 
 // A piece that would go is halved before, unless it is smaller: of its box. Bodies thinner than boxes are all that is there.
@@ -32,7 +35,6 @@ class RefusalEnder
 public:
   RefusalEnder(const ZoneTask& task, const EditRules& rules, std::vector<RemovedPiece>& removed)
     : mesh_(task.mesh)
-    , rules_(rules)
     , removed_(removed)
     , pieces_(task.mesh, rules.spec)
   {
@@ -40,28 +42,19 @@ public:
 
   void end(std::uint32_t c, std::vector<MadeEdit>& edits)
   {
-    const EditMesh::Mark mark = mesh_.mark();
     const Refusals before = pieces_.begin(c);
-    const std::size_t removedBefore = removed_.size();
-    made_.clear();
-    searchRefusals(pieces_, SearchBudget());
-    mergeSmall();
-    halve();
-    removeRefused();
-    const Refusals now = pieces_.refusals();
-    const bool isLess =
-      now.inverted != before.inverted ? now.inverted < before.inverted : now.skew < before.skew;
-    if (!isLess)
+    const RefusalPlan plan = searchRefusals(pieces_, SearchBudget());
+    if (!takeApart(c, plan).isLessThan(before))
     {
-      mesh_.undo(mark);
-      removed_.resize(removedBefore);
+      mesh_.undo(mark_);
+      removed_.resize(removedBefore_);
       return;
     }
-    if (removed_.size() == removedBefore) // else neighbours would swell
+    if (made_.empty()) // else neighbours would swell
     {
       passOnDebts(mesh_);
     }
-    if (pieces_.all().size() > 1)
+    if (pieces_.size() > 1)
     {
       edits.push_back(madeEdit(mesh_, EditKind::Cut, c));
     }
@@ -70,12 +63,77 @@ public:
   }
 
 private:
+  // What one way to take a cell apart leaves.
+  struct Outcome
+  {
+    Refusals refusals;
+    double boxes; // removed
+
+    bool isLessThan(const Refusals& other) const
+    {
+      return refusals.inverted != other.inverted ? refusals.inverted < other.inverted
+                                                 : refusals.skew < other.skew;
+    }
+    bool operator<(const Outcome& other) const
+    {
+      return isLessThan(other.refusals) || (!other.isLessThan(refusals) && boxes < other.boxes);
+    }
+  };
+
+  // Makes the plan, and removes what it leaves refused; where that is much, pieces are halved before, if less goes then.
+  Outcome takeApart(std::uint32_t c, const RefusalPlan& plan)
+  {
+    removedBefore_ = removed_.size();
+    mark_ = mesh_.mark();
+    const Outcome whole = attempt(c, plan, false);
+    if (whole.refusals.inverted <= pieces_.aim().inverted && whole.boxes <= MuchRemoved)
+    {
+      return whole;
+    }
+    undo();
+    const Outcome halved = attempt(c, plan, true);
+    if (halved < whole)
+    {
+      return halved;
+    }
+    undo();
+    return attempt(c, plan, false);
+  }
+
+  void undo()
+  {
+    mesh_.undo(mark_);
+    mark_ = mesh_.mark();
+    removed_.resize(removedBefore_);
+  }
+
+  Outcome attempt(std::uint32_t c, const RefusalPlan& plan, bool halves)
+  {
+    pieces_.begin(c);
+    made_.clear();
+    pieces_.make(plan);
+    mergeSmall();
+    if (halves)
+    {
+      halve();
+      mergeSmall();
+    }
+    removeRefused();
+    Outcome outcome{ pieces_.refusals(), 0 };
+    for (std::size_t i = removedBefore_; i < removed_.size(); ++i)
+    {
+      outcome.boxes += removed_[i].boxes;
+    }
+    return outcome;
+  }
+
   // Into a neighbour that is no piece, where nothing gets worse by that.
   void mergeSmall()
   {
     for (const std::uint32_t p : pieces_.copy())
     {
-      if (pieces_.size() < 2 || mesh_.cell(p).gone || mesh_.cell(p).volume > SmallPiece * mesh_.cell(p).box)
+      if (pieces_.size() < 2 || mesh_.cell(p).gone ||
+        mesh_.cell(p).volume > SmallPiece * mesh_.cell(p).box)
       {
         continue;
       }
@@ -114,11 +172,11 @@ private:
     const std::size_t first = pieces_.all().size();
     for (const CutPlane& plane : planesThroughMiddle(mesh_, p))
     {
-      if (pieces_.make({ EditKind::Cut, p, 0, 0, plane }))
+      if (pieces_.make({ RefusalEdit::Kind::Cut, p, 0, 0, plane }))
       {
         next.push_back(p);
         next.insert(next.end(), pieces_.all().begin() + std::ptrdiff_t(first), pieces_.all().end());
-        searchRefusals(pieces_, SearchBudget::ofHalves());
+        pieces_.make(searchRefusals(pieces_, SearchBudget::ofHalves()));
         return;
       }
     }
@@ -133,8 +191,8 @@ private:
       std::sort(refused.begin(), refused.end(), [&](std::uint32_t a, std::uint32_t b) {
         return std::make_pair(mesh_.cell(a).volume, a) < std::make_pair(mesh_.cell(b).volume, b);
       });
-      isAny = std::any_of(
-        refused.begin(), refused.end(), [&](std::uint32_t p) { return remove(p); });
+      isAny =
+        std::any_of(refused.begin(), refused.end(), [&](std::uint32_t p) { return remove(p); });
     }
   }
 
@@ -158,18 +216,18 @@ private:
     for (const RemovedPiece& other : removed_)
     {
       const Vector way = minus(other.at, piece.at);
-      const double distance =
-        std::max({ std::abs(way[0]), std::abs(way[1]), std::abs(way[2]) });
+      const double distance = std::max({ std::abs(way[0]), std::abs(way[1]), std::abs(way[2]) });
       sum += distance <= NearRemoved * mesh_.cell(p).edge ? other.boxes : 0;
     }
     return sum <= MostRemoved;
   }
 
   EditMesh& mesh_;
-  const EditRules& rules_;
   std::vector<RemovedPiece>& removed_;
   RefusedPieces pieces_;
-  std::vector<MadeEdit> made_;
+  std::vector<MadeEdit> made_; // of what is removed of this cell
+  EditMesh::Mark mark_{};      // before its first edit
+  std::size_t removedBefore_ = 0;
 };
 
 }

@@ -11,75 +11,96 @@ namespace cartesian
 namespace
 {
 
-// Depth first; all edits of few before those of more.
+// Edits one after another, and what they leave.
+struct Plan
+{
+  RefusalPlan edits;
+  Refusals refusals;
+};
+
+// What edits of some pieces leave may be worse for a while: of each length, several plans are followed.
 class Search
 {
 public:
-  explicit Search(RefusedPieces& pieces)
+  Search(RefusedPieces& pieces, const SearchBudget& budget)
     : pieces_(pieces)
-    , best_(pieces.refusals())
+    , budget_(budget)
+    , best_{ {}, pieces.refusals() }
+    , trialsLeft_(budget.trials)
   {
   }
 
-  void run(const SearchBudget& budget)
+  RefusalPlan run()
   {
-    for (int depth = 1; depth <= budget.depth && !best_.isWithin(pieces_.aim()); ++depth)
+    std::vector<Plan> plans{ best_ };
+    for (int length = 1; length <= budget_.depth && isGoingOn(); ++length)
     {
-      left_ = budget.trials;
-      search(depth);
+      std::vector<Plan> longer;
+      for (const Plan& plan : plans)
+      {
+        extend(plan, longer);
+      }
+      keepBest(longer);
+      plans.swap(longer);
     }
-    for (const RefusalEdit& edit : bestPlan_)
-    {
-      pieces_.make(edit);
-    }
+    return best_.edits;
   }
 
 private:
-  void search(int depth)
-  {
-    const Refusals now = pieces_.refusals();
-    if (now < best_)
-    {
-      best_ = now;
-      bestPlan_ = plan_;
-    }
-    const std::uint32_t worst =
-      depth == 0 || now.isWithin(pieces_.aim()) ? std::uint32_t(None) : pieces_.worst();
-    if (worst == None)
-    {
-      return;
-    }
-    for (const RefusalEdit& edit : editsOfRefused(pieces_.mesh(), worst))
-    {
-      if (left_ == 0 || best_.isWithin(pieces_.aim()))
-      {
-        return;
-      }
-      --left_;
-      tryThis(edit, depth);
-    }
-  }
+  bool isGoingOn() const { return trialsLeft_ > 0 && !best_.refusals.isWithin(pieces_.aim()); }
 
-  void tryThis(const RefusalEdit& edit, int depth)
+  // By each edit of the worst piece that it leaves.
+  void extend(const Plan& plan, std::vector<Plan>& longer)
   {
     EditMesh& mesh = pieces_.mesh();
     const EditMesh::Mark mark = mesh.mark();
     const std::size_t size = pieces_.size();
-    if (pieces_.make(edit))
+    pieces_.make(plan.edits);
+    if (const std::uint32_t worst = pieces_.worst(); worst != None)
     {
-      plan_.push_back(edit);
-      search(depth - 1);
-      plan_.pop_back();
+      for (const RefusalEdit& edit : editsOfRefused(mesh, worst))
+      {
+        if (isGoingOn())
+        {
+          attempt(plan, edit, longer);
+        }
+      }
     }
     mesh.undo(mark);
     pieces_.resize(size);
   }
 
+  void attempt(const Plan& plan, const RefusalEdit& edit, std::vector<Plan>& longer)
+  {
+    EditMesh& mesh = pieces_.mesh();
+    const EditMesh::Mark mark = mesh.mark();
+    const std::size_t size = pieces_.size();
+    --trialsLeft_;
+    if (pieces_.make(edit))
+    {
+      longer.push_back({ plan.edits, pieces_.refusals() });
+      longer.back().edits.push_back(edit);
+      best_ = longer.back().refusals < best_.refusals ? longer.back() : best_;
+    }
+    mesh.undo(mark);
+    pieces_.resize(size);
+  }
+
+  // Those that leave the same are taken for the same, in another order.
+  void keepBest(std::vector<Plan>& plans) const
+  {
+    std::stable_sort(plans.begin(), plans.end(),
+      [](const Plan& x, const Plan& y) { return x.refusals < y.refusals; });
+    plans.erase(std::unique(plans.begin(), plans.end(),
+                  [](const Plan& x, const Plan& y) { return !(x.refusals < y.refusals); }),
+      plans.end());
+    plans.resize(std::min(plans.size(), budget_.plans));
+  }
+
   RefusedPieces& pieces_;
-  Refusals best_;
-  std::vector<RefusalEdit> plan_;
-  std::vector<RefusalEdit> bestPlan_;
-  int left_ = 0; // trials
+  const SearchBudget& budget_;
+  Plan best_;
+  int trialsLeft_;
 };
 
 }
@@ -89,8 +110,31 @@ Refusals RefusedPieces::begin(std::uint32_t c)
   pieces_ = { c };
   const Refusals now = refusals();
   const Refusals its = refusalsIn(mesh_, c);
+  listOthers(c);
   aim_ = { now.inverted - its.inverted, now.skew - its.skew, 0, 0 };
   return now;
+}
+
+void RefusedPieces::listOthers(std::uint32_t c)
+{
+  others_.clear();
+  const auto look = [&](std::uint32_t other) {
+    if (other != None && other != c && mesh_.isFree(other) && hasInverted(mesh_, other))
+    {
+      others_.push_back(other);
+    }
+  };
+  for (const std::uint32_t f : mesh_.facesOf(c))
+  {
+    for (const std::uint32_t n : mesh_.cornersOf(f))
+    {
+      for (const std::uint32_t g : mesh_.facesAround(n))
+      {
+        look(mesh_.face(g).below);
+        look(mesh_.face(g).above);
+      }
+    }
+  }
 }
 
 bool RefusedPieces::contains(std::uint32_t c) const
@@ -101,8 +145,9 @@ bool RefusedPieces::contains(std::uint32_t c) const
 std::vector<std::uint32_t> RefusedPieces::refused() const
 {
   std::vector<std::uint32_t> refused;
-  std::copy_if(pieces_.begin(), pieces_.end(), std::back_inserter(refused),
-    [&](std::uint32_t p) { return mesh_.isFree(p) && hasInverted(mesh_, p); });
+  std::copy_if(pieces_.begin(), pieces_.end(), std::back_inserter(refused), [&](std::uint32_t p) {
+    return mesh_.isFree(p) && (hasInverted(mesh_, p) || isLong(mesh_, p));
+  });
   return refused;
 }
 
@@ -156,35 +201,58 @@ bool RefusedPieces::make(const RefusalEdit& edit)
   {
     add(part);
   }
-  if (edit.kind == EditKind::Pass)
+  if (edit.kind == RefusalEdit::Kind::Pass)
   {
     addRefused(mesh_.beyond(edit.a, edit.c));
   }
-  else if (edit.kind == EditKind::Merge)
+  else if (edit.kind == RefusalEdit::Kind::Merge)
   {
     addRefused(edit.a);
   }
+  addChanged(mark);
   return true;
+}
+
+// Cells that are refused by the edit.
+void RefusedPieces::addChanged(const EditMesh::Mark& mark)
+{
+  for (std::size_t i = mark.cellRecords; i < mesh_.cellRecords().size(); ++i)
+  {
+    const std::uint32_t c = mesh_.cellRecords()[i].first;
+    if (std::find(others_.begin(), others_.end(), c) == others_.end())
+    {
+      addRefused(c);
+    }
+  }
+}
+
+void RefusedPieces::make(const RefusalPlan& plan)
+{
+  for (const RefusalEdit& edit : plan)
+  {
+    make(edit);
+  }
 }
 
 bool RefusedPieces::apply(const RefusalEdit& edit, CutParts& parts)
 {
   switch (edit.kind)
   {
-    case EditKind::Pass:
+    case RefusalEdit::Kind::Pass:
       return passFace(mesh_, edit.c, edit.a, edit.b);
-    case EditKind::Join:
+    case RefusalEdit::Kind::Join:
       return joinFaces(mesh_, edit.a, edit.b);
-    case EditKind::Merge:
+    case RefusalEdit::Kind::Merge:
       return mergeCells(mesh_, edit.a, edit.b);
-    default:
+    case RefusalEdit::Kind::Cut:
       return cutCell(mesh_, edit.a, edit.plane, parts);
   }
+  return false;
 }
 
-void searchRefusals(RefusedPieces& pieces, const SearchBudget& budget)
+RefusalPlan searchRefusals(RefusedPieces& pieces, const SearchBudget& budget)
 {
-  Search(pieces).run(budget);
+  return Search(pieces, budget).run();
 }
 
 }

@@ -11,6 +11,8 @@
 namespace cartesian
 {
 
+using RefusalPlan = std::vector<RefusalEdit>;
+
 // A cell that is refused, and what it becomes: its parts, and neighbours that are refused for what they took over.
 class RefusedPieces
 {
@@ -37,7 +39,7 @@ public:
   bool contains(std::uint32_t c) const;
   std::size_t size() const { return pieces_.size(); }
 
-  // The pieces that have inverted faces.
+  // The pieces that have inverted faces, or are long.
   std::vector<std::uint32_t> refused() const;
 
   // That with most of them, then of skew ones, or None.
@@ -47,6 +49,7 @@ public:
 
   // Makes a valid edit, and follows its pieces. False: undone.
   bool make(const RefusalEdit& edit);
+  void make(const RefusalPlan& plan);
 
   // Any edit, if it ranks before what was, or not behind it where it does not have to be better. Else it is undone.
   template <class Edit>
@@ -66,6 +69,8 @@ public:
 
 private:
   void add(std::uint32_t c);
+  void listOthers(std::uint32_t c);
+  void addChanged(const EditMesh::Mark& mark);
   bool apply(const RefusalEdit& edit, CutParts& parts);
   bool isSettled(const EditMesh::Mark& mark)
   {
@@ -75,17 +80,20 @@ private:
   EditMesh& mesh_;
   const ObjectiveSpec& spec_;
   std::vector<std::uint32_t> pieces_;
+  std::vector<std::uint32_t>
+    others_; // cells around that were refused themselves: they have their own turn
   Refusals aim_;
 };
 
 struct SearchBudget
 {
-  int depth = 5;              // edits one after another
-  int trials = 700;           // of each depth
-  static SearchBudget ofHalves() { return { 2, 150 }; }
+  int depth = 5;         // edits one after another
+  std::size_t plans = 6; // of each length that are followed
+  int trials = 800;
+  static SearchBudget ofHalves() { return { 2, 3, 120 }; }
 };
 
-// Makes the best edits that it finds.
-void searchRefusals(RefusedPieces& pieces, const SearchBudget& budget);
+// The best edits that it finds; nothing is changed.
+RefusalPlan searchRefusals(RefusedPieces& pieces, const SearchBudget& budget);
 
 }

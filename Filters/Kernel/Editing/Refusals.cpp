@@ -22,24 +22,6 @@ bool isFacingAway(const EditMesh& mesh, std::uint32_t f)
     !(dot(face.area, minus(mesh.cell(face.above).centre, mesh.cell(face.below).centre)) > 0);
 }
 
-// By checkMesh's aspect ratio; nearer than its limit.
-bool isLong(const EditMesh& mesh, std::uint32_t c)
-{
-  constexpr double Most = 0.9 * Limits::AspectRatio;
-  Vector sum{};
-  for (const std::uint32_t f : mesh.facesOf(c))
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      sum[k] += std::abs(mesh.face(f).area[k]);
-    }
-  }
-  const auto [least, most] = std::minmax_element(sum.begin(), sum.end());
-  const double hull = (sum[0] + sum[1] + sum[2]) / 6;
-  const double edge = std::cbrt(mesh.cell(c).volume);
-  return !(*most < Most * *least) || !(hull < Most * edge * edge);
-}
-
 }
 
 bool Refusals::operator<(const Refusals& other) const
@@ -71,6 +53,23 @@ Refusals refusalsOf(const EditMesh& mesh, const std::vector<std::uint32_t>& cell
     }
   }
   return sum;
+}
+
+bool isLong(const EditMesh& mesh, std::uint32_t c)
+{
+  constexpr double Most = 0.9 * Limits::AspectRatio; // programs do not agree on areas
+  Vector sum{};
+  for (const std::uint32_t f : mesh.facesOf(c))
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      sum[k] += std::abs(mesh.face(f).area[k]);
+    }
+  }
+  const auto [least, most] = std::minmax_element(sum.begin(), sum.end());
+  const double hull = (sum[0] + sum[1] + sum[2]) / 6;
+  const double edge = std::cbrt(mesh.cell(c).volume);
+  return !(*most < Most * *least) || !(hull < Most * edge * edge);
 }
 
 bool isInvertedFrom(const EditMesh& mesh, std::uint32_t f, std::uint32_t c)

@@ -74,6 +74,7 @@ double mostMergedOf(const ImprovementSpec& asked, double usual)
 struct Loops
 {
   explicit Loops(const ImprovementSpec& asked)
+    : removes(asked.removesCells)
   {
     thorough.failingOnly = !asked.mayChangeWalls;
     for (LoopSpec* spec : { &general, &thorough, &last })
@@ -87,6 +88,7 @@ struct Loops
     }
   }
 
+  bool removes;
   LoopSpec general;
   LoopSpec thorough = thoroughLoop();
   LoopSpec last = lastLoop();
@@ -167,13 +169,14 @@ void improveMade(const ZoneTask& task, const Loops& loops, const std::function<v
   const EditMesh& mesh = task.mesh;
   const Items made = mesh.madeCells();
   std::vector<std::uint32_t> poor;
-  for (const Items cells : { Items{ task.cells.data(), task.cells.data() + task.cells.size() }, made })
+  for (const Items cells :
+    { Items{ task.cells.data(), task.cells.data() + task.cells.size() }, made })
   {
     std::copy_if(cells.begin(), cells.end(), std::back_inserter(poor), [&](std::uint32_t c) {
       const Items faces = mesh.facesOf(c);
-      return mesh.isFree(c) &&
-        std::any_of(
-          faces.begin(), faces.end(), [&](std::uint32_t f) { return mesh.face(f).fails > 0; });
+      return mesh.isFree(c) && std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+        return mesh.face(f).fails > 0;
+      });
     });
   }
   if (!poor.empty())
@@ -182,13 +185,19 @@ void improveMade(const ZoneTask& task, const Loops& loops, const std::function<v
     append(edits, improve(again, loops.general, poll));
     improveFailing(again, loops, poll, edits);
   }
+  const std::vector<std::uint32_t> all(mesh.madeCells().begin(), mesh.madeCells().end());
+  takeSmallCells(
+    { task.mesh, all, task.zone, task.isOver }, loops.general.rules, loops.removes, edits);
 }
 
 // Whatever solvers still refuse.
-void endAll(
-  EditStore& store, const Loops& loops, Execution& execution, std::vector<MadeEdit>& edits)
+void endAll(EditStore& store, Loops loops, Execution& execution, std::vector<MadeEdit>& edits)
 {
-  constexpr int Rounds = 3;
+  for (LoopSpec* spec : { &loops.general, &loops.thorough, &loops.last })
+  {
+    spec->rules.mayTrade = false;
+  }
+  constexpr int Rounds = 5;
   const auto poll = [&] { execution.poll(); };
   std::vector<RemovedPiece> removed;
   std::mutex mutex;
