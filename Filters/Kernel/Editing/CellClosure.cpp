@@ -183,7 +183,7 @@ void noteMisses(EditStore& store, Execution& execution)
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c)
     {
       corners.clear();
-      for (std::size_t i = 0; mesh.isFree(c) && i < mesh.cell(c).faces.size; ++i)
+      for (std::size_t i = 0; !mesh.isGhost(c) && i < mesh.cell(c).faces.size; ++i)
       {
         const Items ring = mesh.cornersOf(mesh.facesOf(c)[i]);
         corners.insert(corners.end(), ring.begin(), ring.end());

@@ -36,8 +36,9 @@ enum class NodeKind : std::uint8_t
 
 enum class CellState : std::uint8_t
 {
-  Free, // to change
-  Ghost // only its centre and volume are here, and those of its faces that others have
+  Free,   // to change
+  Frozen, // it touches itself along an edge, where the surface does: nothing of it changes unless solvers refuse it
+  Ghost   // only its centre and volume are here, and those of its faces that others have
 };
 
 // Of items in one of the arenas.
@@ -141,7 +142,7 @@ struct EditCell : CellOrigin
   CellState state = CellState::Free;
   bool gone = false;
   bool strains = false; // solvers (WallObjective.h)
-  bool touches = false; // itself along an edge, where the surface does: it may
+  bool touches = false; // itself along an edge, as frozen cells do: it may
 };
 
 // What edits since the last commit have changed.

@@ -2,6 +2,7 @@
 #include "Editing/Refusals.h"
 
 #include "Acceptance/Limits.h"
+#include "Editing/EditMeasures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +70,7 @@ bool isLong(const EditMesh& mesh, std::uint32_t c)
   const auto [least, most] = std::minmax_element(sum.begin(), sum.end());
   const double hull = (sum[0] + sum[1] + sum[2]) / 6;
   const double edge = std::cbrt(mesh.cell(c).volume);
-  return !(*most < Most * *least) || !(hull < Most * edge * edge);
+  return (!(*most < Most * *least) || !(hull < Most * edge * edge)) && !isThinThere(mesh, c);
 }
 
 bool isInvertedFrom(const EditMesh& mesh, std::uint32_t f, std::uint32_t c)

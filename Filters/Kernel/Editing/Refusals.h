@@ -32,7 +32,7 @@ Refusals refusalsOf(const EditMesh& mesh, const std::vector<std::uint32_t>& cell
 bool isInvertedFrom(const EditMesh& mesh, std::uint32_t f, std::uint32_t c);
 bool hasInverted(const EditMesh& mesh, std::uint32_t c);
 
-// By checkMesh's aspect ratio.
+// By checkMesh's aspect ratio, where the body is not as thin.
 bool isLong(const EditMesh& mesh, std::uint32_t c);
 
 // Whether checkMesh refuses a cell, or one of its faces.

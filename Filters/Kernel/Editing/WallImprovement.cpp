@@ -153,13 +153,40 @@ std::vector<std::uint32_t> refusedCells(EditStore& store, Execution& execution)
     const EditMesh mesh(store, 0, 0, {});
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c)
     {
-      if (mesh.isFree(c) && isRefused(mesh, c))
+      if (!mesh.cell(c).gone && !mesh.isGhost(c) && isRefused(mesh, c))
       {
         ofChunks[begin / CellsAChunk].push_back(c);
       }
     }
   });
   return concatenated(ofChunks);
+}
+
+// Refused cells that touch themselves, and those around that do, may change from now on.
+void thaw(EditStore& store, const std::vector<std::uint32_t>& refused)
+{
+  EditMesh mesh(store, 0, 0, {});
+  const auto thawCell = [&](std::uint32_t c) {
+    if (c != None && mesh.cell(c).state == CellState::Frozen)
+    {
+      mesh.rawCell(c).state = CellState::Free;
+      setCostOfCell(mesh, c);
+    }
+  };
+  for (const std::uint32_t c : refused)
+  {
+    for (const std::uint32_t f : mesh.facesOf(c))
+    {
+      for (const std::uint32_t n : mesh.cornersOf(f))
+      {
+        for (const std::uint32_t g : mesh.facesAround(n))
+        {
+          thawCell(mesh.face(g).below);
+          thawCell(mesh.face(g).above);
+        }
+      }
+    }
+  }
 }
 
 // What the last step made poor: as all else, so that nothing fails that did not.
@@ -208,6 +235,7 @@ void endAll(EditStore& store, Loops loops, Execution& execution, std::vector<Mad
     {
       return;
     }
+    thaw(store, cells);
     std::vector<RemovedPiece> all = removed;
     editInGroups(store, execution, cells, [&](const ZoneTask& task) {
       std::vector<MadeEdit> ofZone;

@@ -45,7 +45,7 @@ public:
     addFaces();
     store_.connect(execution_);
     hold();
-    noteTouching();
+    freeze();
     measure();
     findNodeKinds(
       store_, { parts_.nodes.kinds, parts_.patches.knowsEdges }, featureAngle, execution_);
@@ -322,11 +322,14 @@ private:
                                   : std::uint8_t(0);
   }
 
-  // Cells that touch themselves along an edge, as where the surface does.
-  void noteTouching()
+  void freeze()
   {
     forEach(keys_.size(), [&](std::uint32_t c) {
-      store_.cells[c].touches = !isHexahedron(keys_[c]) && touchesItself(result_.mesh, c);
+      if (!isHexahedron(keys_[c]) && touchesItself(result_.mesh, c))
+      {
+        store_.cells[c].state = CellState::Frozen;
+        store_.cells[c].touches = true;
+      }
     });
   }
 

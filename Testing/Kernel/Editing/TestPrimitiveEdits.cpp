@@ -271,6 +271,32 @@ TEST(JoinFaces, TakesNodesBetweenAway)
   EXPECT_EQ(nodeAt(mesh, { 2, 1, 1 }), None);
 }
 
+TEST(PassFace, GivesAWallToTheNeighbour)
+{
+  EditMesh mesh = block(2, 1, 1);
+  const std::uint32_t between = faceBetween(mesh, 0, 1);
+  const std::uint32_t top = wallOf(mesh, 0, 5);
+  ASSERT_TRUE(makeAndUndo(mesh, [&](EditMesh& m) { return passFace(m, 0, between, top); }));
+  EXPECT_EQ(mesh.face(top).below, 1);
+  EXPECT_EQ(mesh.facesOf(0).size(), 5);
+  EXPECT_EQ(mesh.facesOf(1).size(), 7);
+  EXPECT_EQ(mesh.face(between).corners.size, 6);
+  EXPECT_NEAR(volumeBehindWalls(mesh), 2, 1e-15);
+}
+
+TEST(PassFace, RefusesFacesApartAndOtherRegions)
+{
+  EditMesh mesh = block(2, 1, 1);
+  const EditMesh::Mark mark = mesh.mark();
+  EXPECT_FALSE(passFace(mesh, 0, faceBetween(mesh, 0, 1), wallOf(mesh, 0, 0))); // opposite
+  EXPECT_FALSE(passFace(mesh, 0, wallOf(mesh, 0, 0), wallOf(mesh, 0, 5)));      // over a wall
+  mesh.undo(mark);
+  EditMesh regions = twoRegions();
+  const EditMesh::Mark other = regions.mark();
+  EXPECT_FALSE(passFace(regions, 0, faceBetween(regions, 0, 1), wallOf(regions, 0, 5)));
+  regions.undo(other);
+}
+
 TEST(MergeCells, TakesTheFacesBetweenThem)
 {
   EditMesh mesh = block(2, 2, 2);

@@ -1,0 +1,123 @@
+// What solvers refuse is counted as edits change it, and taken apart.
+#include "Editing/RefusalEnding.h"
+#include "Editing/RefusalSearch.h"
+#include "Support/EditMeshes.h"
+
+#include <gtest/gtest.h>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// A cell around the rim of a slot that is one box wide: its walls on either side look at each other across it, and its
+// centre is in the slot.
+EditMesh aroundARim()
+{
+  std::vector<TestBox> boxes;
+  for (int x = 0; x < 5; ++x)
+  {
+    for (const int z : { 0, 1, 2 })
+    {
+      if (z != 1 || x == 4)
+      {
+        boxes.push_back({ { x, 0, z }, { x + 1, 1, z + 1 } });
+      }
+    }
+  }
+  return cellOfBoxes(boxes);
+}
+
+int invertedSides(const EditMesh& mesh)
+{
+  int count = 0;
+  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    count += mesh.cell(c).gone ? 0 : refusalsIn(mesh, c).inverted;
+  }
+  return count;
+}
+
+std::vector<std::uint32_t> allCells(const EditMesh& mesh)
+{
+  std::vector<std::uint32_t> cells;
+  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    if (mesh.isFree(c))
+    {
+      cells.push_back(c);
+    }
+  }
+  return cells;
+}
+
+std::vector<MadeEdit> endAll(EditMesh& mesh)
+{
+  const std::vector<std::uint32_t> cells = allCells(mesh);
+  const std::vector<std::uint8_t> isOver(mesh.cellCount(), 0);
+  std::vector<RemovedPiece> removed;
+  std::vector<MadeEdit> edits;
+  endRefusals({ mesh, cells, { cells.data(), cells.data() + cells.size() }, isOver }, EditRules(),
+    removed, edits, [] {});
+  return edits;
+}
+
+}
+
+TEST(Refusals, CellsAroundRimsAreTakenApartWithoutLoss)
+{
+  EditMesh mesh = aroundARim();
+  const double volume = volumeOf(mesh);
+  ASSERT_GT(invertedSides(mesh), 0);
+  ASSERT_TRUE(isRefused(mesh, 0));
+  const std::vector<MadeEdit> edits = endAll(mesh);
+  EXPECT_EQ(invertedSides(mesh), 0);
+  EXPECT_EQ(faultOf(mesh), "");
+  EXPECT_NEAR(volumeOf(mesh), volume, 1e-12);
+  EXPECT_GT(countCells(mesh), 1);
+  ASSERT_EQ(edits.size(), 1);
+  EXPECT_EQ(edits[0].kind, EditKind::Cut);
+}
+
+TEST(Refusals, GoodCellsStayAsTheyAre)
+{
+  EditMesh mesh = meshOfBoxes(blockOfBoxes(2, 2, 2));
+  const EditMesh before = copyOf(mesh);
+  EXPECT_EQ(invertedSides(mesh), 0);
+  EXPECT_TRUE(endAll(mesh).empty());
+  EXPECT_EQ(differenceOf(mesh, before), "");
+}
+
+TEST(Refusals, TheLedgerCountsThem)
+{
+  EditMesh mesh = aroundARim();
+  const int before = invertedSides(mesh);
+  RefusedPieces pieces(mesh, ObjectiveSpec());
+  pieces.begin(0);
+  const RefusalPlan plan = searchRefusals(pieces, SearchBudget());
+  EXPECT_EQ(invertedSides(mesh), before); // a search changes nothing
+  const EditMesh::Mark mark = mesh.mark();
+  for (const RefusalEdit& edit : plan)
+  {
+    ASSERT_TRUE(pieces.make(edit));
+    EXPECT_EQ(mesh.ledger.inverted, invertedSides(mesh) - before);
+  }
+  mesh.undo(mark);
+  EXPECT_EQ(mesh.ledger.inverted, 0);
+}
+
+// In order of rank.
+TEST(Refusals, LessIsLess)
+{
+  const Refusals some{ 1, 1, 1, 1 };
+  EXPECT_LT((Refusals{ 0, 9, 9, 9 }), some);
+  EXPECT_LT((Refusals{ 1, 0, 9, 9 }), some);
+  EXPECT_LT((Refusals{ 1, 1, 0.5, 9 }), some);
+  EXPECT_LT((Refusals{ 1, 1, 1, 0 }), some);
+  EXPECT_FALSE(some < some);
+  EXPECT_TRUE((Refusals{ 1, 1, 9, 9 }).isWithin(some));
+  EXPECT_FALSE((Refusals{ 0, 2, 0, 0 }).isWithin(some));
+}
+
+}
