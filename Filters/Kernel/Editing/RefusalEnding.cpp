@@ -21,7 +21,7 @@ namespace
 constexpr double MostRemoved = 1;
 constexpr double NearRemoved = 4;
 
-// Before more goes, halving is tried: boxes.
+// Before more goes, more is tried: boxes.
 constexpr double MuchRemoved = 0.02;
 
 constexpr double SmallPiece = 0.3; // of its box: goes to a neighbour
@@ -43,11 +43,10 @@ public:
   void end(std::uint32_t c, std::vector<MadeEdit>& edits)
   {
     const Refusals before = pieces_.begin(c);
-    const RefusalPlan plan = searchRefusals(pieces_, SearchBudget());
-    if (!takeApart(c, plan).isLessThan(before))
+    if (!takeApart(c).isLessThan(before))
     {
-      mesh_.undo(mark_);
-      removed_.resize(removedBefore_);
+      undo();
+      mesh_.commit();
       return;
     }
     if (made_.empty()) // else neighbours would swell
@@ -80,24 +79,47 @@ private:
     }
   };
 
-  // Makes the plan, and removes what it leaves refused; where that is much, pieces are halved before, if less goes then.
-  Outcome takeApart(std::uint32_t c, const RefusalPlan& plan)
+  // Where much would go, or something stays refused, a wider search is tried, and to halve pieces.
+  Outcome takeApart(std::uint32_t c)
   {
     removedBefore_ = removed_.size();
     mark_ = mesh_.mark();
-    const Outcome whole = attempt(c, plan, false);
-    if (whole.refusals.inverted <= pieces_.aim().inverted && whole.boxes <= MuchRemoved)
+    RefusalPlan plan = search(c, SearchBudget());
+    Outcome best = attempt(c, plan, false);
+    if (isGood(best))
     {
-      return whole;
+      return best;
+    }
+    undo();
+    RefusalPlan wider = search(c, SearchBudget::wide());
+    if (const Outcome outcome = attempt(c, wider, false); outcome < best)
+    {
+      best = outcome;
+      plan.swap(wider);
+    }
+    if (isGood(best))
+    {
+      return best;
     }
     undo();
     const Outcome halved = attempt(c, plan, true);
-    if (halved < whole)
+    if (halved < best)
     {
       return halved;
     }
     undo();
     return attempt(c, plan, false);
+  }
+
+  bool isGood(const Outcome& outcome) const
+  {
+    return outcome.refusals.inverted <= pieces_.aim().inverted && outcome.boxes <= MuchRemoved;
+  }
+
+  RefusalPlan search(std::uint32_t c, const SearchBudget& budget)
+  {
+    pieces_.begin(c);
+    return searchRefusals(pieces_, budget);
   }
 
   void undo()

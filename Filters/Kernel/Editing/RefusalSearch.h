@@ -90,6 +90,7 @@ struct SearchBudget
   int depth = 5;         // edits one after another
   std::size_t plans = 6; // of each length that are followed
   int trials = 800;
+  static SearchBudget wide() { return { 6, 20, 5000 }; }
   static SearchBudget ofHalves() { return { 2, 3, 120 }; }
 };
 
