@@ -2,7 +2,6 @@
 #include "Editing/Refusals.h"
 
 #include "Acceptance/Limits.h"
-#include "Editing/EditMeasures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +20,30 @@ bool isFacingAway(const EditMesh& mesh, std::uint32_t f)
   const EditFace& face = mesh.face(f);
   return !mesh.isSurface(f) &&
     !(dot(face.area, minus(mesh.cell(face.above).centre, mesh.cell(face.below).centre)) > 0);
+}
+
+// Whether a cell that shares a node is no part of a film, as those of a body are that is thin everywhere.
+bool hasLargeNear(const EditMesh& mesh, std::uint32_t c)
+{
+  constexpr double Large = 0.15; // of its box
+  const auto isLarge = [&](std::uint32_t other) {
+    return other != None && mesh.cell(other).region == mesh.cell(c).region &&
+      mesh.cell(other).volume >= Large * mesh.cell(other).box;
+  };
+  for (const std::uint32_t f : mesh.facesOf(c))
+  {
+    for (const std::uint32_t n : mesh.cornersOf(f))
+    {
+      for (const std::uint32_t g : mesh.facesAround(n))
+      {
+        if (isLarge(mesh.face(g).below) || isLarge(mesh.face(g).above))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
 }
 
 }
@@ -70,7 +93,7 @@ bool isLong(const EditMesh& mesh, std::uint32_t c)
   const auto [least, most] = std::minmax_element(sum.begin(), sum.end());
   const double hull = (sum[0] + sum[1] + sum[2]) / 6;
   const double edge = std::cbrt(mesh.cell(c).volume);
-  return (!(*most < Most * *least) || !(hull < Most * edge * edge)) && !isThinThere(mesh, c);
+  return !(*most < Most * *least) || !(hull < Most * edge * edge);
 }
 
 bool isInvertedFrom(const EditMesh& mesh, std::uint32_t f, std::uint32_t c)
@@ -94,9 +117,9 @@ bool hasInverted(const EditMesh& mesh, std::uint32_t c)
 bool isRefused(const EditMesh& mesh, std::uint32_t c)
 {
   const Items faces = mesh.facesOf(c);
-  return isLong(mesh, c) || std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
-    return mesh.face(f).skew || isInvertedFrom(mesh, f, c);
-  });
+  return (isLong(mesh, c) && hasLargeNear(mesh, c)) ||
+    std::any_of(faces.begin(), faces.end(),
+      [&](std::uint32_t f) { return mesh.face(f).skew || isInvertedFrom(mesh, f, c); });
 }
 
 Refusals refusalsIn(const EditMesh& mesh, std::uint32_t c)
