@@ -93,7 +93,7 @@ bool isLong(const EditMesh& mesh, std::uint32_t c)
   const auto [least, most] = std::minmax_element(sum.begin(), sum.end());
   const double hull = (sum[0] + sum[1] + sum[2]) / 6;
   const double edge = std::cbrt(mesh.cell(c).volume);
-  return !(*most < Most * *least) || !(hull < Most * edge * edge);
+  return (!(*most < Most * *least) || !(hull < Most * edge * edge)) && hasLargeNear(mesh, c);
 }
 
 bool isInvertedFrom(const EditMesh& mesh, std::uint32_t f, std::uint32_t c)
@@ -117,9 +117,9 @@ bool hasInverted(const EditMesh& mesh, std::uint32_t c)
 bool isRefused(const EditMesh& mesh, std::uint32_t c)
 {
   const Items faces = mesh.facesOf(c);
-  return (isLong(mesh, c) && hasLargeNear(mesh, c)) ||
-    std::any_of(faces.begin(), faces.end(),
-      [&](std::uint32_t f) { return mesh.face(f).skew || isInvertedFrom(mesh, f, c); });
+  return isLong(mesh, c) || std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+    return mesh.face(f).skew || isInvertedFrom(mesh, f, c);
+  });
 }
 
 Refusals refusalsIn(const EditMesh& mesh, std::uint32_t c)

@@ -32,10 +32,10 @@ Refusals refusalsOf(const EditMesh& mesh, const std::vector<std::uint32_t>& cell
 bool isInvertedFrom(const EditMesh& mesh, std::uint32_t f, std::uint32_t c);
 bool hasInverted(const EditMesh& mesh, std::uint32_t c);
 
-// By checkMesh's aspect ratio.
+// By checkMesh's aspect ratio; but not where all is as thin.
 bool isLong(const EditMesh& mesh, std::uint32_t c);
 
-// Whether checkMesh refuses a cell, or one of its faces; but for long cells where all is as thin.
+// Whether checkMesh refuses a cell, or one of its faces.
 bool isRefused(const EditMesh& mesh, std::uint32_t c);
 
 // How much of that ends if nothing else does: sides that this cell sees, its faces, itself.

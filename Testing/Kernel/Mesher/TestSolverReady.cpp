@@ -149,22 +149,21 @@ const std::vector<KnownFailure> KnownFailures{
   { "CombTurned", "StarTriangulation", { 0.13, 0, 0 } },
   { "PyramidOnAPlane", "Determinant", { 0.27, 0, 0 } },
   { "Needle", "Determinant", { 1, 1, 1 } },
-  { "StarPolyhedron", "StarTriangulation", { 0.072, 0, 0 } },
+  { "StarPolyhedron", "StarTriangulation", { 0.072, 0, 0.0044 } },
   { "BumpySphere", WrongArea, { 0.12, 0, 0 } },
-  { "BumpySphere", "StarTriangulation", { 0.05, 0, 0 } },
+  { "BumpySphere", "StarTriangulation", { 0.16, 0, 0 } }, // what a cell around a rim became
   { "BumpySphere", ProjectedCentres, { 0, 0.0059, 0 } },
   { "Tiny", "Determinant", { 0.053, 0, 0.0021 } },
   { "Tiny", ProjectedCentres, { 0.053, 0, 0 } },
   { "Tiny", "StarTriangulation", { 0.11, 0, 0 } },
   { "Flat", WrongArea, { 0.82, 0, 0.04 } },
   { "Flat", "Determinant", { 1, 1, 1 } },
-  { "Flat", "Skewness", { 1, 0, 0 } },
+  { "Flat", "InnerAngle", { 0.5, 0, 0 } },
+  { "Flat", ProjectedCentres, { 1, 0, 0 } },
   { "Flat", "StarTriangulation", { 1, 1, 1 } },
-  { "Flat", LostVolume, { 0.4, 0.25, 0.31 } },
+  { "Flat", LostVolume, { 0.41, 0.25, 0.31 } },
   { "Needle", LostVolume, { 0, 0, 0.0015 } },
-  { "StarPolyhedron", "BoundaryAngle", { 0, 0, 0.0022 } },
   { "StarPolyhedron", "Determinant", { 0, 0, 0.0022 } },
-  { "StarPolyhedron", ProjectedCentres, { 0, 0, 0.0022 } },
 };
 
 // By name, which part fails: of the volume, of a boundary's area, of the cells. What does not fail is 0.
