@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Boxes/Peaks.h"
 
+#include "Base/DisjointSets.h"
 #include "Base/Sorting.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace cartesian
 {
@@ -24,8 +27,9 @@ struct Around
   std::uint32_t vertex;
   std::int32_t region;
   std::uint32_t triangle;
+  std::array<std::uint32_t, 2> others; // its other corners
   bool isFlat;
-  bool rises;  // its other corners are on different sides of the vertex
+  bool rises;  // these are on different sides of the vertex
   double area; // positive: the region is below; 0: it is steep
 
   bool operator<(const Around& other) const
@@ -71,7 +75,8 @@ private:
     const double area = tangentArea(surface_.corners(t));
     const bool isFlat = height(a) == height(vertex) && height(b) == height(vertex);
     Around around{ vertex, surface_.walls.behind(surface_.boundary[t]),
-      static_cast<std::uint32_t>(t), isFlat, isAbove(a, vertex) != isAbove(b, vertex), area };
+      static_cast<std::uint32_t>(t), { a, b }, isFlat, isAbove(a, vertex) != isAbove(b, vertex),
+      area };
     list.push_back(around);
     if (surface_.walls.isInterface(surface_.boundary[t]))
     {
@@ -107,17 +112,94 @@ constexpr int RisesOfASlope = 2;
 
 using Iterator = std::vector<Around>::const_iterator;
 
+// Triangles around one vertex in one region fall into fans: several where bodies touch. Of a fan that a line along
+// which bodies touch cuts open it is not known whether it rises; the line's ends are in fans that close.
+class Fans
+{
+public:
+  Fans(Iterator begin, Iterator end)
+    : begin_(begin)
+    , size_(static_cast<std::size_t>(end - begin))
+    , fans_(size_)
+  {
+    for (std::size_t i = 0; i < size_; ++i)
+    {
+      for (const std::uint32_t corner : begin_[std::ptrdiff_t(i)].others)
+      {
+        corners_.push_back({ corner, static_cast<std::uint32_t>(i) });
+      }
+    }
+    std::sort(corners_.begin(), corners_.end());
+    forEachCorner([&](std::size_t first, std::size_t last) {
+      if (last - first == 2)
+      {
+        fans_.unite(corners_[first].second, corners_[first + 1].second);
+      }
+    });
+  }
+
+  // Of those that are on no slope.
+  WallAreas peaks()
+  {
+    std::vector<int> rises(size_);
+    std::vector<std::uint8_t> isOpen(size_);
+    forEachCorner([&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const std::uint32_t fan = fans_.find(corners_[i].second);
+        isOpen[fan] |= std::count_if(corners_.begin() + std::ptrdiff_t(first),
+                         corners_.begin() + std::ptrdiff_t(last),
+                         [&](const Corner& c) { return fans_.find(c.second) == fan; }) != 2;
+      }
+    });
+    forEachTriangle([&](std::uint32_t fan, const Around& around) { rises[fan] += around.rises; });
+    WallAreas areas;
+    forEachTriangle([&](std::uint32_t fan, const Around& around) {
+      if (rises[fan] != RisesOfASlope && isOpen[fan] == 0)
+      {
+        (around.area > 0 ? areas.domainBelow : areas.domainAbove) += std::abs(around.area);
+      }
+    });
+    return areas;
+  }
+
+private:
+  using Corner = std::pair<std::uint32_t, std::uint32_t>; // and the number of its triangle
+
+  template <class Visitor>
+  void forEachCorner(const Visitor& visit) const
+  {
+    for (std::size_t first = 0; first < corners_.size();)
+    {
+      std::size_t last = first;
+      while (last < corners_.size() && corners_[last].first == corners_[first].first)
+      {
+        ++last;
+      }
+      visit(first, last);
+      first = last;
+    }
+  }
+
+  template <class Visitor>
+  void forEachTriangle(const Visitor& visit)
+  {
+    for (std::size_t i = 0; i < size_; ++i)
+    {
+      visit(fans_.find(static_cast<std::uint32_t>(i)), begin_[std::ptrdiff_t(i)]);
+    }
+  }
+
+  const Iterator begin_;
+  const std::size_t size_;
+  DisjointSets fans_;           // of the triangles
+  std::vector<Corner> corners_; // in order
+};
+
 // Those of one vertex in one region.
 void addPeak(Iterator begin, Iterator end, Level level, WallsByLevel& peaks)
 {
-  if (std::count_if(begin, end, [](const Around& a) { return a.rises; }) == RisesOfASlope)
-  {
-    return;
-  }
-  WallAreas areas;
-  std::for_each(begin, end, [&](const Around& a) {
-    (a.area > 0 ? areas.domainBelow : areas.domainAbove) += std::abs(a.area);
-  });
+  const WallAreas areas = Fans(begin, end).peaks();
   if (areas.all() > 0)
   {
     WallAreas& ofLevel = peaks[level];
