@@ -28,9 +28,7 @@ struct Around
   std::int32_t region;
   std::uint32_t triangle;
   std::array<std::uint32_t, 2> others; // its other corners
-  bool isFlat;
-  bool rises;  // these are on different sides of the vertex
-  double area; // positive: the region is below; 0: it is steep
+  Vector normal;                       // out of the region, twice the area long
 
   bool operator<(const Around& other) const
   {
@@ -39,173 +37,201 @@ struct Around
   }
 };
 
-class PeakSearch
+using Iterator = std::vector<Around>::const_iterator;
+
+// The surface as a landscape, with heights along an axis.
+class Heights
 {
 public:
-  PeakSearch(const Surface& surface, std::size_t axis, const std::vector<std::uint8_t>& isNear)
+  Heights(const Surface& surface, std::size_t axis)
     : surface_(surface)
     , axis_(axis)
-    , isNear_(isNear)
   {
   }
 
-  // Of the triangles begin to end - 1.
-  void addTo(std::vector<Around>& list, std::size_t begin, std::size_t end) const
+  Level of(std::uint32_t vertex) const { return surface_.vertices[vertex][axis_]; }
+
+  bool isFlat(const Around& around) const
   {
-    for (std::size_t t = begin; t < end; ++t)
-    {
-      const bool isOriented = surface_.byParity.empty() || surface_.byParity[t] == 0;
-      for (std::size_t i = 0; i < 3 && isOriented; ++i)
-      {
-        if (isNear_[surface_.triangles[t][i]] != 0)
-        {
-          add(t, i, list);
-        }
-      }
-    }
+    return of(around.others[0]) == of(around.vertex) && of(around.others[1]) == of(around.vertex);
+  }
+
+  bool isTangent(const Around& around) const
+  {
+    const double across =
+      std::hypot(around.normal[(axis_ + 1) % 3], around.normal[(axis_ + 2) % 3]);
+    return across <= SteepestTangent * std::abs(area(around));
+  }
+
+  // Along the axis; positive: the region is below.
+  double area(const Around& around) const { return around.normal[axis_]; }
+
+  // Whether the walls around a vertex rise on one side and fall on the other: what is above meets what is below twice.
+  bool areOnASlope(Iterator begin, Iterator end) const
+  {
+    return std::count_if(begin, end, [&](const Around& a) {
+      return isAbove(a.others[0], a.vertex) != isAbove(a.others[1], a.vertex);
+    }) == 2;
+  }
+
+  // Whether all walls around a vertex rise from it; or whether all fall.
+  bool allAre(bool rising, Iterator begin, Iterator end) const
+  {
+    return std::all_of(begin, end, [&](const Around& a) {
+      return std::all_of(a.others.begin(), a.others.end(),
+        [&](std::uint32_t other) { return isAbove(other, a.vertex) == rising; });
+    });
   }
 
 private:
-  void add(std::size_t t, std::size_t i, std::vector<Around>& list) const
-  {
-    const auto& triangle = surface_.triangles[t];
-    const std::uint32_t vertex = triangle[i];
-    const std::uint32_t a = triangle[(i + 1) % 3];
-    const std::uint32_t b = triangle[(i + 2) % 3];
-    const double area = tangentArea(surface_.corners(t));
-    const bool isFlat = height(a) == height(vertex) && height(b) == height(vertex);
-    Around around{ vertex, surface_.walls.behind(surface_.boundary[t]),
-      static_cast<std::uint32_t>(t), { a, b }, isFlat, isAbove(a, vertex) != isAbove(b, vertex),
-      area };
-    list.push_back(around);
-    if (surface_.walls.isInterface(surface_.boundary[t]))
-    {
-      around.region = surface_.walls.front(surface_.boundary[t]);
-      around.area = -area;
-      list.push_back(around);
-    }
-  }
-
-  double tangentArea(const Corners& c) const
-  {
-    const double along = projectedArea(c, axis_);
-    const double across =
-      std::hypot(projectedArea(c, (axis_ + 1) % 3), projectedArea(c, (axis_ + 2) % 3));
-    return across <= SteepestTangent * std::abs(along) ? along : 0;
-  }
-
-  Level height(std::uint32_t vertex) const { return surface_.vertices[vertex][axis_]; }
-
   // Of vertices at one level the later one counts as the higher one.
   bool isAbove(std::uint32_t a, std::uint32_t b) const
   {
-    return std::tuple(height(a), a) > std::tuple(height(b), b);
+    return std::tuple(of(a), a) > std::tuple(of(b), b);
   }
 
   const Surface& surface_;
   const std::size_t axis_;
-  const std::vector<std::uint8_t>& isNear_;
 };
 
-// Around a vertex on a slope, what is above meets what is below twice.
-constexpr int RisesOfASlope = 2;
-
-using Iterator = std::vector<Around>::const_iterator;
-
-// Triangles around one vertex in one region fall into fans: several where bodies touch. Of a fan that a line along
-// which bodies touch cuts open it is not known whether it rises; the line's ends are in fans that close.
+// Triangles around one vertex in one region fall into fans: several where the region touches itself.
 class Fans
 {
 public:
   Fans(Iterator begin, Iterator end)
     : begin_(begin)
-    , size_(static_cast<std::size_t>(end - begin))
+    , size_(static_cast<std::uint32_t>(end - begin))
     , fans_(size_)
   {
-    for (std::size_t i = 0; i < size_; ++i)
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> corners; // and the triangle
+    for (std::uint32_t i = 0; i < size_; ++i)
     {
-      for (const std::uint32_t corner : begin_[std::ptrdiff_t(i)].others)
-      {
-        corners_.push_back({ corner, static_cast<std::uint32_t>(i) });
-      }
+      corners.emplace_back(triangle(i).others[0], i);
+      corners.emplace_back(triangle(i).others[1], i);
     }
-    std::sort(corners_.begin(), corners_.end());
-    forEachCorner([&](std::size_t first, std::size_t last) {
-      if (last - first == 2)
-      {
-        fans_.unite(corners_[first].second, corners_[first + 1].second);
-      }
-    });
-  }
-
-  // Of those that are on no slope.
-  WallAreas peaks()
-  {
-    std::vector<int> rises(size_);
-    std::vector<std::uint8_t> isOpen(size_);
-    forEachCorner([&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        const std::uint32_t fan = fans_.find(corners_[i].second);
-        isOpen[fan] |= std::count_if(corners_.begin() + std::ptrdiff_t(first),
-                         corners_.begin() + std::ptrdiff_t(last),
-                         [&](const Corner& c) { return fans_.find(c.second) == fan; }) != 2;
-      }
-    });
-    forEachTriangle([&](std::uint32_t fan, const Around& around) { rises[fan] += around.rises; });
-    WallAreas areas;
-    forEachTriangle([&](std::uint32_t fan, const Around& around) {
-      if (rises[fan] != RisesOfASlope && isOpen[fan] == 0)
-      {
-        (around.area > 0 ? areas.domainBelow : areas.domainAbove) += std::abs(around.area);
-      }
-    });
-    return areas;
-  }
-
-private:
-  using Corner = std::pair<std::uint32_t, std::uint32_t>; // and the number of its triangle
-
-  template <class Visitor>
-  void forEachCorner(const Visitor& visit) const
-  {
-    for (std::size_t first = 0; first < corners_.size();)
+    std::sort(corners.begin(), corners.end());
+    for (std::size_t first = 0, last = 0; first < corners.size(); first = last)
     {
-      std::size_t last = first;
-      while (last < corners_.size() && corners_[last].first == corners_[first].first)
+      while (last < corners.size() && corners[last].first == corners[first].first)
       {
         ++last;
       }
-      visit(first, last);
-      first = last;
+      if (last - first == 2)
+      {
+        fans_.unite(corners[first].second, corners[first + 1].second);
+      }
     }
   }
 
-  template <class Visitor>
-  void forEachTriangle(const Visitor& visit)
+  bool areOne()
   {
-    for (std::size_t i = 0; i < size_; ++i)
+    std::uint32_t i = 0;
+    while (i < size_ && fans_.find(i) == 0)
     {
-      visit(fans_.find(static_cast<std::uint32_t>(i)), begin_[std::ptrdiff_t(i)]);
+      ++i;
     }
+    return i == size_;
   }
+
+  // Whether the region is within each of the fans: outward normals point away from its triangles. Else it is between
+  // them.
+  bool holdRegion(const Surface& surface)
+  {
+    std::vector<Vector> normal(size_);
+    std::vector<Vector> towards(size_);
+    for (std::uint32_t i = 0; i < size_; ++i)
+    {
+      const std::uint32_t fan = fans_.find(i);
+      const Around& around = triangle(i);
+      normal[fan] = plus(normal[fan], around.normal);
+      for (const std::uint32_t corner : around.others)
+      {
+        const Vector edge = minus(surface.vertices[corner], surface.vertices[around.vertex]);
+        towards[fan] = plus(towards[fan], edge);
+      }
+    }
+    std::uint32_t i = 0;
+    while (i < size_ && (fans_.find(i) != i || dot(normal[i], towards[i]) < 0))
+    {
+      ++i;
+    }
+    return i == size_;
+  }
+
+private:
+  const Around& triangle(std::uint32_t i) const { return begin_[std::ptrdiff_t(i)]; }
 
   const Iterator begin_;
-  const std::size_t size_;
-  DisjointSets fans_;           // of the triangles
-  std::vector<Corner> corners_; // in order
+  const std::uint32_t size_;
+  DisjointSets fans_;
 };
 
-// Those of one vertex in one region.
-void addPeak(Iterator begin, Iterator end, Level level, WallsByLevel& peaks)
+// Those around one vertex in one region.
+WallAreas areasOfPeak(Iterator begin, Iterator end, const Heights& heights, const Surface& surface)
 {
-  const WallAreas areas = Fans(begin, end).peaks();
-  if (areas.all() > 0)
+  Fans fans(begin, end);
+  const bool touches = !fans.areOne();
+  WallAreas areas;
+  if (touches ? !fans.holdRegion(surface) : heights.areOnASlope(begin, end))
   {
-    WallAreas& ofLevel = peaks[level];
-    ofLevel.domainBelow += areas.domainBelow;
-    ofLevel.domainAbove += areas.domainAbove;
+    return areas;
   }
+  const bool isTop = !touches && heights.allAre(false, begin, end);
+  const bool isBottom = !touches && heights.allAre(true, begin, end);
+  for (auto around = begin; around != end; ++around)
+  {
+    const double area = heights.area(*around);
+    if (!touches && !heights.isTangent(*around))
+    {
+      continue;
+    }
+    if (area > 0)
+    {
+      (isBottom ? areas.around : areas.domainBelow) += area;
+    }
+    else
+    {
+      (isTop ? areas.around : areas.domainAbove) -= area;
+    }
+  }
+  return areas;
+}
+
+// Around vertices for which `isNear` is 1; in order.
+std::vector<Around> trianglesAround(
+  const Surface& surface, const std::vector<std::uint8_t>& isNear, Execution& execution)
+{
+  const std::size_t count = surface.triangles.size();
+  std::vector<std::vector<Around>> parts(chunks(count, TrianglesAChunk));
+  execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+    std::vector<Around>& list = parts[begin / TrianglesAChunk];
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      const auto& corners = surface.triangles[t];
+      const bool isOriented = surface.byParity.empty() || surface.byParity[t] == 0;
+      for (std::size_t i = 0; i < 3 && isOriented; ++i)
+      {
+        if (isNear[corners[i]] == 0)
+        {
+          continue;
+        }
+        const Corners c = surface.corners(t);
+        const Vector normal{ projectedArea(c, 0), projectedArea(c, 1), projectedArea(c, 2) };
+        const std::int32_t wall = surface.boundary[t];
+        const std::array<std::uint32_t, 2> others = { corners[(i + 1) % 3], corners[(i + 2) % 3] };
+        const auto number = static_cast<std::uint32_t>(t);
+        list.push_back({ corners[i], surface.walls.behind(wall), number, others, normal });
+        if (surface.walls.isInterface(wall))
+        {
+          list.push_back(
+            { corners[i], surface.walls.front(wall), number, others, scaled(normal, -1) });
+        }
+      }
+    }
+  });
+  std::vector<Around> all = concatenated(parts);
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 }
@@ -223,26 +249,27 @@ double projectedArea(const Corners& c, std::size_t axis)
 WallsByLevel peaksAmong(const Surface& surface, std::size_t axis,
   const std::vector<std::uint8_t>& isNear, Execution& execution)
 {
-  const PeakSearch search(surface, axis, isNear);
-  const std::size_t count = surface.triangles.size();
-  std::vector<std::vector<Around>> parts(chunks(count, TrianglesAChunk));
-  execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
-    search.addTo(parts[begin / TrianglesAChunk], begin, end);
-  });
-  std::vector<Around> list = concatenated(parts);
-  std::sort(list.begin(), list.end());
-
+  const std::vector<Around> list = trianglesAround(surface, isNear, execution);
+  const Heights heights(surface, axis);
   WallsByLevel peaks;
-  for (auto vertex = list.cbegin(); vertex != list.cend();)
+  for (auto vertex = list.begin(); vertex != list.end();)
   {
-    const auto next = std::find_if(
-      vertex, list.cend(), [&](const Around& a) { return a.vertex != vertex->vertex; });
-    const bool isFlat = std::any_of(vertex, next, [](const Around& a) { return a.isFlat; });
+    const auto next =
+      std::find_if(vertex, list.end(), [&](const Around& a) { return a.vertex != vertex->vertex; });
+    const bool isFlat =
+      std::any_of(vertex, next, [&](const Around& a) { return heights.isFlat(a); });
     for (auto begin = vertex; begin != next && !isFlat;)
     {
       const auto end =
         std::find_if(begin, next, [&](const Around& a) { return a.region != begin->region; });
-      addPeak(begin, end, surface.vertices[vertex->vertex][axis], peaks);
+      const WallAreas areas = areasOfPeak(begin, end, heights, surface);
+      if (areas.all() > 0)
+      {
+        WallAreas& ofLevel = peaks[heights.of(vertex->vertex)];
+        ofLevel.domainBelow += areas.domainBelow;
+        ofLevel.domainAbove += areas.domainAbove;
+        ofLevel.around += areas.around;
+      }
       begin = end;
     }
     vertex = next;

@@ -21,8 +21,9 @@ struct WallAreas
 {
   double domainBelow = 0;
   double domainAbove = 0;
+  double around = 0; // of peaks, with the domain around them: no plane cuts them off
 
-  double all() const { return domainBelow + domainAbove; }
+  double all() const { return domainBelow + domainAbove + around; }
 };
 
 using WallsByLevel = std::map<Level, WallAreas>;
@@ -32,7 +33,8 @@ double projectedArea(const Corners& c, std::size_t axis);
 
 // Of the vertices for which `isNear` is 1: the levels where the walls of a region neither rise through nor fall through
 // a vertex, and the area of the triangles around it that are not steep. On a ridge at one level that is one vertex or
-// more. Vertices of flat walls are left out. The surface is oriented.
+// more. Also where bodies of one region touch: a plane along the line of contact is not to cut both there. Vertices of
+// flat walls are left out. The surface is oriented.
 WallsByLevel peaksAmong(const Surface& surface, std::size_t axis,
   const std::vector<std::uint8_t>& isNear, Execution& execution);
 
