@@ -2,12 +2,14 @@
 #include "Boxes/PlanesAside.h"
 
 #include "Base/Sorting.h"
+#include "Boxes/Peaks.h"
+#include "Boxes/PlaneClearance.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
+#include <tuple>
 
 namespace cartesian
 {
@@ -21,14 +23,8 @@ constexpr std::size_t TrianglesAChunk = 4096;
 // along it.
 constexpr double LargestStep = 1.0 / 16;
 
-// Of walls perpendicular to an axis, at one level; in square levels.
-struct WallAreas
-{
-  double domainBelow = 0;
-  double domainAbove = 0;
-};
-
-using FlatWalls = std::map<Level, WallAreas>;
+// No peak makes a plane move farther, in clearances of points from planes (PlaneClearance.h).
+constexpr double MostClearances = 2;
 
 // Corners this near to the first or the last plane, as a part of the surface's longest side, were meant to lie on it:
 // the noise of coordinates where a surface was cut by hand, and half the thickness that a sheet gets.
@@ -38,19 +34,8 @@ constexpr double EndTolerance = 4e-6;
 struct WallsAlong
 {
   std::int64_t fine;
-  FlatWalls walls;
+  WallsByLevel walls;
 };
-
-// Twice the area along the axis: positive where the normal points up.
-double projectedArea(const Corners& c, std::size_t axis)
-{
-  const std::size_t u = (axis + 1) % 3;
-  const std::size_t v = (axis + 2) % 3;
-  const auto along = [&](std::size_t corner, std::size_t w) {
-    return static_cast<double>(c[corner][w]) - static_cast<double>(c[0][w]);
-  };
-  return along(1, u) * along(2, v) - along(1, v) * along(2, u);
-}
 
 // The corners of the oriented triangles for which is(corners), in order.
 template <class Predicate>
@@ -73,9 +58,9 @@ std::vector<Corners> trianglesThatAre(
   return concatenated(parts);
 }
 
-FlatWalls flatWalls(const Surface& surface, std::size_t axis, Execution& execution)
+WallsByLevel flatWalls(const Surface& surface, std::size_t axis, Execution& execution)
 {
-  FlatWalls walls;
+  WallsByLevel walls;
   for (const Corners& c : trianglesThatAre(surface, execution, [&](const Corners& corners) {
          return corners[1][axis] == corners[0][axis] && corners[2][axis] == corners[0][axis];
        }))
@@ -100,7 +85,7 @@ double roundingOf(const Surface& surface, const Meshlines& planes, std::size_t a
 
 // By plane, in order: of those that divide the space between two meshlines into `parts`, the meshlines among them
 // only if `parts` is 1.
-std::vector<WallsAlong> wallsAlong(const FlatWalls& walls, const Meshlines& planes,
+std::vector<WallsAlong> wallsAlong(const WallsByLevel& walls, const Meshlines& planes,
   std::size_t axis, double rounding, std::int64_t parts)
 {
   const std::vector<Level>& lines = planes[axis];
@@ -131,7 +116,7 @@ std::vector<WallsAlong> wallsAlong(const FlatWalls& walls, const Meshlines& plan
 }
 
 // The area of walls that would have a flange.
-double flangesOf(const FlatWalls& walls, Level plane)
+double flangesOf(const WallsByLevel& walls, Level plane)
 {
   double sum = 0;
   for (const auto& [level, areas] : walls)
@@ -142,7 +127,7 @@ double flangesOf(const FlatWalls& walls, Level plane)
 }
 
 // Where the plane does best, as near as possible.
-Level bestPlane(const FlatWalls& walls, Level plane)
+Level bestPlane(const WallsByLevel& walls, Level plane)
 {
   Level best = plane;
   const auto distance = [&](Level level) { return std::abs(double(level) - plane); };
@@ -162,7 +147,7 @@ Level bestPlane(const FlatWalls& walls, Level plane)
 }
 
 // The domain beyond the first and the last plane is cut off: there is no flange on the other side.
-void endInWalls(std::vector<Level>& lines, const FlatWalls& walls)
+void endInWalls(std::vector<Level>& lines, const WallsByLevel& walls)
 {
   const auto first = walls.find(lines.front() + 1);
   if (first != walls.end() && first->second.domainBelow > 0 && lines.front() + 2 < lines[1])
@@ -298,7 +283,101 @@ double longestSide(const Surface& surface, Execution& execution)
   return longest;
 }
 
-void stepMeshlines(const FlatWalls& walls, Meshlines& planes, std::size_t axis, double rounding)
+// How far a plane keeps away from peaks, in levels, an odd number. Moving planes may make clearances a step larger.
+Level awayFromPeaks(
+  const Meshlines& planes, std::size_t axis, std::int64_t fine, const PlaneClearance& clearance)
+{
+  const auto i = static_cast<std::uint32_t>(
+    std::min<std::int64_t>(fine / FinePerBox, std::int64_t(planes[axis].size()) - 2));
+  const bool isMeshline = fine % FinePerBox == 0 && i > 0;
+  return std::max(clearance.of(axis, i), isMeshline ? clearance.of(axis, i - 1) : 0) + 2;
+}
+
+// What planes across an axis go aside for.
+struct WallsAcross
+{
+  WallsByLevel flat;
+  WallsByLevel peaks;
+};
+
+// The plane that is nearest to a level, of those that divide the space between two meshlines into `parts`.
+std::int64_t nearestPlane(
+  const Meshlines& planes, std::size_t axis, Level level, std::int64_t parts)
+{
+  const auto i = static_cast<std::size_t>(intervalOf(planes[axis], level));
+  const double part =
+    (double(level) - planes[axis][i]) / (double(planes[axis][i + 1]) - planes[axis][i]);
+  return std::int64_t(i) * FinePerBox + std::lround(part * double(parts)) * (FinePerBox / parts);
+}
+
+bool isWithin(const std::vector<Level>& lines, Level level)
+{
+  return level >= lines.front() && level < lines.back();
+}
+
+// Peaks that planes might come near to, or move to.
+WallsByLevel peaksNearPlanes(const Surface& surface, const Meshlines& planes, std::size_t axis,
+  const PlaneClearance& clearance, Execution& execution)
+{
+  std::vector<std::uint8_t> isNear(surface.vertices.size());
+  execution.forEach(isNear.size(), TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+    {
+      const Level level = surface.vertices[v][axis];
+      if (isWithin(planes[axis], level))
+      {
+        const std::int64_t fine = nearestPlane(planes, axis, level, planes.partsPerBox());
+        const double distance = std::abs(double(planeAt(planes, axis, fine)) - level);
+        isNear[v] = distance <= 2 * MostClearances * awayFromPeaks(planes, axis, fine, clearance);
+      }
+    }
+  });
+  return peaksAmong(surface, axis, isNear, execution);
+}
+
+WallsByLevel within(const WallsByLevel& walls, Level plane, double distance)
+{
+  const auto first =
+    walls.lower_bound(static_cast<Level>(std::max(0.0, std::ceil(double(plane) - distance))));
+  return { first, std::find_if(first, walls.end(), [&](const WallsByLevel::value_type& wall) {
+            return double(wall.first) > double(plane) + distance;
+          }) };
+}
+
+// Where no peak is as near, else as few as possible; of these where the plane leaves the smallest area of walls with a
+// flange or a cap, as near as possible.
+Level planeOffPeaks(const WallsAcross& walls, Level plane, Level away)
+{
+  const double most = MostClearances * away;
+  const auto distance = [](Level a, Level b) { return std::abs(double(a) - b); };
+  const WallsByLevel flat = within(walls.flat, plane, 2 * most);
+  const WallsByLevel peaks = within(walls.peaks, plane, 2 * most);
+  const auto areaAt = [&](Level at) {
+    return std::accumulate(
+      peaks.begin(), peaks.end(), 0.0, [&](double sum, const WallsByLevel::value_type& peak) {
+        return sum + (distance(peak.first, at) < away ? peak.second.all() : 0);
+      });
+  };
+  if (areaAt(plane) == 0)
+  {
+    return plane;
+  }
+  const auto harm = [&](Level at) {
+    return std::tuple(
+      areaAt(at) + flangesOf(flat, at), flangesOf(peaks, at), distance(at, plane), at);
+  };
+  Level best = plane;
+  for (const auto& [level, areas] : peaks)
+  {
+    for (const Level at : { level - away, level + away })
+    {
+      best = distance(at, plane) <= most && harm(at) < harm(best) ? at : best;
+    }
+  }
+  return best;
+}
+
+void stepMeshlines(const WallsByLevel& walls, Meshlines& planes, std::size_t axis, double rounding)
 {
   std::vector<Level>& lines = planes[axis];
   for (const WallsAlong& along : wallsAlong(walls, planes, axis, rounding, 1))
@@ -315,7 +394,8 @@ void stepMeshlines(const FlatWalls& walls, Meshlines& planes, std::size_t axis, 
   }
 }
 
-void stepPlanesBetween(const FlatWalls& walls, Meshlines& planes, std::size_t axis, double rounding)
+void stepPlanesBetween(
+  const WallsByLevel& walls, Meshlines& planes, std::size_t axis, double rounding)
 {
   const std::int64_t step = FinePerBox / planes.partsPerBox();
   for (const WallsAlong& along : wallsAlong(walls, planes, axis, rounding, planes.partsPerBox()))
@@ -330,23 +410,74 @@ void stepPlanesBetween(const FlatWalls& walls, Meshlines& planes, std::size_t ax
   }
 }
 
+void move(Meshlines& planes, std::size_t axis, std::int64_t fine, Level to)
+{
+  if (fine % FinePerBox == 0)
+  {
+    planes[axis][static_cast<std::size_t>(fine / FinePerBox)] = to;
+    return;
+  }
+  std::vector<MovedPlane>& moved = planes.moved[axis];
+  const auto at = std::lower_bound(moved.begin(), moved.end(), fine,
+    [](const MovedPlane& plane, std::int64_t place) { return plane.fine < place; });
+  if (at != moved.end() && at->fine == fine)
+  {
+    at->level = to;
+  }
+  else
+  {
+    moved.insert(at, { fine, to });
+  }
+}
+
+// Of the planes that divide the space between two meshlines into `parts`: the meshlines only if it is 1.
+void keepOffPeaks(const WallsAcross& walls, const PlaneClearance& clearance, Meshlines& planes,
+  std::size_t axis, std::int64_t parts)
+{
+  const std::int64_t step = FinePerBox / parts;
+  const std::int64_t last = std::int64_t(planes[axis].size() - 1) * FinePerBox;
+  std::int64_t before = 0;
+  for (const auto& [level, areas] : walls.peaks)
+  {
+    const std::int64_t fine =
+      isWithin(planes[axis], level) ? nearestPlane(planes, axis, level, parts) : before;
+    if (fine == before || fine == last || (parts > 1 && fine % FinePerBox == 0))
+    {
+      continue;
+    }
+    before = fine;
+    const Level plane = planeAt(planes, axis, fine);
+    const Level best = planeOffPeaks(walls, plane, awayFromPeaks(planes, axis, fine, clearance));
+    if (best != plane && best > planeAt(planes, axis, fine - step) &&
+      best < planeAt(planes, axis, fine + step))
+    {
+      move(planes, axis, fine, best);
+    }
+  }
+}
+
 }
 
 void stepAside(const Surface& surface, int depth, Meshlines& planes, Execution& execution)
 {
   planes.planeLevel = std::clamp(depth, LeastPlaneLevel, DeepestLevel);
   const double longest = surface.around.inside() ? longestSide(surface, execution) : 0;
+  const Meshlines given = planes;
+  const PlaneClearance clearance(surface, given);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const FlatWalls walls = flatWalls(surface, axis, execution);
     const double rounding = roundingOf(surface, planes, axis);
-    stepMeshlines(walls, planes, axis, rounding);
+    const WallsAcross walls{ flatWalls(surface, axis, execution),
+      peaksNearPlanes(surface, planes, axis, clearance, execution) };
+    stepMeshlines(walls.flat, planes, axis, rounding);
+    keepOffPeaks(walls, clearance, planes, axis, 1);
     if (surface.around.inside())
     {
-      endInWalls(planes[axis], walls);
+      endInWalls(planes[axis], walls.flat);
       endPastCorners(surface, planes, axis, EndTolerance * longest, execution);
     }
-    stepPlanesBetween(walls, planes, axis, rounding);
+    stepPlanesBetween(walls.flat, planes, axis, rounding);
+    keepOffPeaks(walls, clearance, planes, axis, planes.partsPerBox());
   }
 }
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Moves planes that would run along flat walls to the side where they cut nothing off.
+// Moves planes that would run along walls to the side where they cut nothing off.
 //
 // By Dual Levels (section 4.2) a wall and a plane at the same coordinate are a level apart, or more where a file
 // holds the coordinate in single precision. If the wall lies beyond the plane, the domain between them is a flange a
 // few levels thick on the boxes there, which no solver accepts; if the plane is beyond the wall there is none. Users
 // and CAD models prefer round numbers, so this is common.
+//
+// Curved walls that are tangent to a plane, nearer than points of patches may be (PlaneClearance.h), would leave slivers
+// as thick as that (Peaks.h). The plane then moves so far that none is as near: at most by twice that clearance, some
+// millionths of a box, and to the side where it cuts off no caps if it can.
 #pragma once
 
 #include "Base/Execution.h"

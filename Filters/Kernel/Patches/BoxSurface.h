@@ -6,9 +6,10 @@
 // directions.
 #pragma once
 
+#include "Boxes/Boxes.h"
+#include "Boxes/PlaneClearance.h"
 #include "Lattice/ExactFit.h"
 #include "Lattice/Numbering.h"
-#include "Patches/PlaneClearance.h"
 #include "Surface/Features.h"
 
 namespace cartesian

@@ -159,7 +159,7 @@ public:
     , spec_(spec)
     , execution_(execution)
     , features_(findFeatures(surface, spec.featureAngle, execution))
-    , clearance_(surface, boxes)
+    , clearance_(surface, boxes.planes)
     , intersected_(intersectedBoxes(boxes, execution))
     , reasons_(boxes.packed.size(), PatchReason::MarchingCubes)
     , behind_(spec.method == PatchMethod::Automatic ? intersected_.size() : 0)

@@ -2,7 +2,7 @@
 #include "Support/Effort.h"
 #include "Support/Pipeline.h"
 
-#include "Patches/PlaneClearance.h"
+#include "Boxes/PlaneClearance.h"
 
 #include <gtest/gtest.h>
 
@@ -143,11 +143,11 @@ TEST(Patches, KeepClearOfPlanesByAShareOfTheSmallestBoxes)
   surface.vertices = { { 1, 1, 1 }, { 2 * Width - 1, 2 * Width - 1, 2 * Width - 1 } };
   Boxes boxes;
   boxes.planes.lines.fill({ 0, Width, 2 * Width });
-  EXPECT_EQ(PlaneClearance(surface, boxes).of(0, 1), (Width >> 19) + 1);
+  EXPECT_EQ(PlaneClearance(surface, boxes.planes).of(0, 1), (Width >> 19) + 1);
   for (int level = 6; level <= DeepestLevel; ++level)
   {
     boxes.planes.planeLevel = level;
     const Level smallest = Width >> level;
-    EXPECT_EQ(PlaneClearance(surface, boxes).of(0, 1), (smallest >> 13) + 1);
+    EXPECT_EQ(PlaneClearance(surface, boxes.planes).of(0, 1), (smallest >> 13) + 1);
   }
 }

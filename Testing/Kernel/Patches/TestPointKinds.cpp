@@ -2,7 +2,7 @@
 #include "Support/Effort.h"
 #include "Support/Pipeline.h"
 
-#include "Patches/PlaneClearance.h"
+#include "Boxes/PlaneClearance.h"
 
 #include <gtest/gtest.h>
 
@@ -202,7 +202,7 @@ void expectKinds(const Surface& surface, const Patches& patches, std::size_t cor
 // Points move away from planes in each direction, and onto others as close.
 double mostMoved(const Surface& surface, const Boxes& boxes)
 {
-  const PlaneClearance clearance(surface, boxes);
+  const PlaneClearance clearance(surface, boxes.planes);
   double most = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {

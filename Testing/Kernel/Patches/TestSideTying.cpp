@@ -22,7 +22,7 @@ struct Tied
     : prepared(prepare(soup, cellsAlongLongest(soup, 5)))
     , boxed(boxSurface(prepared, {}, execution))
     , features(findFeatures(prepared.surface, spec.featureAngle, execution))
-    , clearance(prepared.surface, boxed.boxes)
+    , clearance(prepared.surface, boxed.boxes.planes)
     , reasons(boxed.boxes.packed.size(), PatchReason::MarchingCubes)
     , intersected(intersectedBoxes(boxed.boxes, execution))
   {

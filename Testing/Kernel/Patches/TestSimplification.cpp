@@ -17,7 +17,7 @@ std::vector<std::size_t> simplified(const std::function<Level(int, int)>& height
   const Soup soup = cube();
   const PreparedSurface prepared = prepare(soup, cellsOf(0.4));
   const BoxedSurface boxed = boxSurface(prepared, {}, execution);
-  const PlaneClearance clearance(prepared.surface, boxed.boxes);
+  const PlaneClearance clearance(prepared.surface, boxed.boxes.planes);
   PatchSpec spec;
   Simplification simplification(prepared.surface, boxed.boxes, clearance, spec);
   const Box box = boxed.boxes.box(0);
@@ -79,7 +79,7 @@ TEST(Simplification, KeepsTheHigherKindOfPointsThatCollapse)
   Execution execution;
   const PreparedSurface prepared = prepare(cube(), cellsOf(0.4));
   const BoxedSurface boxed = boxSurface(prepared, {}, execution);
-  const PlaneClearance clearance(prepared.surface, boxed.boxes);
+  const PlaneClearance clearance(prepared.surface, boxed.boxes.planes);
   Simplification simplification(prepared.surface, boxed.boxes, clearance, {});
   const Box box = boxed.boxes.box(0);
   const Level middle = (box.high[0] - box.low[0]) / 2;

@@ -6,7 +6,7 @@
 // Neighbours of other sizes must move a common point alike: the clearance is that of the smallest boxes.
 #pragma once
 
-#include "Boxes/Boxes.h"
+#include "Lattice/Meshlines.h"
 #include "Surface/Surface.h"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ class PlaneClearance
 {
 public:
   // 2^-13 of the smallest boxes, but at most 2^-10 of the surface's extent, so that no body is lost.
-  PlaneClearance(const Surface& surface, const Boxes& boxes)
-    : planes_(boxes.planes)
+  PlaneClearance(const Surface& surface, const Meshlines& planes)
+    : planes_(planes)
   {
     Point low = surface.vertices.front();
     Point high = low;
