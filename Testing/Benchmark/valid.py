@@ -47,6 +47,7 @@ import validcases  # noqa: E402
 ACCEPTED = 200  # meshes, of which one may be refused
 OK, REFUSED, ERROR, CRASH = VERDICTS = "ok", "refused", "error", "crash"
 WARNED = "checkMesh will fail"
+UNMARKED = re.compile(r"^ *(Illegal cells .*)$", re.MULTILINE)  # a failure to which checkMesh gives no stars
 Result = collections.namedtuple("Result", "verdict seconds cells told faults")
 COLUMNS = "commit", "case", *Result._fields
 
@@ -88,7 +89,8 @@ def faults_of(folder):
             faults.append(f"checkMesh died: {str(error).splitlines()[-1]}")
             continue
         if not checked.ok:
-            faults += [" ".join([*region[1:], fault.strip()]) for fault in checked.failures] or ["no verdict"]
+            failures = checked.failures or UNMARKED.findall(checked.text) or ["no verdict"]
+            faults += [" ".join([*region[1:], fault.strip()]) for fault in failures]
     return faults
 
 
