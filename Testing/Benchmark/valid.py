@@ -246,7 +246,7 @@ def print_sums(cases, results):
                 print_line(key(case), results.found[key(case)])
     untold = sum(result.verdict == REFUSED and not result.told for _, result in found)
     refused, meshed = counts[REFUSED] + counts[CRASH], len(found) - counts[ERROR]
-    print(f"\n{refused} of {meshed} refused or crashed; at most 1 in {ACCEPTED} may be. {untold} of them the mesher did not tell")
+    print(f"\n{refused} of {meshed} refused or crashed; at most 1 in {ACCEPTED} may be. Not told by the mesher: {untold}")
     return refused * ACCEPTED <= meshed
 
 
