@@ -137,7 +137,7 @@ def examples(_):
     bodies = {example(body) for body in (*BODIES, "motorBike.obj") if example_files()}
     for path in example_files():
         if path not in bodies:
-            tutorial = path.relative_to(EXAMPLES).as_posix().partition("/constant")[0].split("/")[-1]
+            tutorial = path.relative_to(EXAMPLES).parent.as_posix().partition("/constant")[0].split("/")[-1]
             yield Case("examples", f"{tutorial}: {path.name.partition('.gz')[0]}", from_file(path), parts=30,
                        isSample=tutorial == "opposite_walls")
 
