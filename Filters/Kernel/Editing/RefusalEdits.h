@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edits that may take apart a cell that solvers refuse (Refusals.h): most wrap around the rim of something thin that ends
+// Edits that may take apart a cell that solvers reject (Refusals.h): most wrap around the rim of something thin that ends
 // within them, so that the wall of its one side is inverted as seen from a centre on the other.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The last step: cells that solvers refuse (Refusals.h) are taken apart until no piece is refused, whatever that gains; the
+// The last step: cells that solvers reject (Refusals.h) are taken apart until no piece is refused, whatever that gains; the
 // smallest pieces that still are go. It ends: what goes changes no other cell.
 #pragma once
 
