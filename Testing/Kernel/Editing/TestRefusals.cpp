@@ -93,7 +93,8 @@ TEST(Refusals, TheLedgerCountsThem)
 {
   EditMesh mesh = aroundARim();
   const int before = invertedSides(mesh);
-  RefusedPieces pieces(mesh, ObjectiveSpec());
+  const ObjectiveSpec spec;
+  RefusedPieces pieces(mesh, spec);
   pieces.begin(0);
   const RefusalPlan plan = searchRefusals(pieces, SearchBudget());
   EXPECT_EQ(invertedSides(mesh), before); // a search changes nothing
