@@ -364,6 +364,23 @@ public:
     return node(itemsOf(face(f).corners)[i]).at;
   }
 
+  // Calls visit(cell) for all cells that share a node with a cell, itself too; for some several times.
+  template <class Visitor>
+  void forEachCellAround(std::uint32_t c, Visitor&& visit) const
+  {
+    for (const std::uint32_t f : facesOf(c))
+    {
+      for (const std::uint32_t n : cornersOf(f))
+      {
+        for (const std::uint32_t g : facesAround(n))
+        {
+          visit(face(g).below);
+          isWall(g) ? void() : visit(face(g).above);
+        }
+      }
+    }
+  }
+
   // The cell on the other side of a cell's face, or None.
   std::uint32_t beyond(std::uint32_t f, std::uint32_t c) const
   {

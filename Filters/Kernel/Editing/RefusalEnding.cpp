@@ -33,10 +33,12 @@ constexpr int MostHalvings = 6;
 class RefusalEnder
 {
 public:
-  RefusalEnder(const ZoneTask& task, const EditRules& rules, std::vector<RemovedPiece>& removed)
+  RefusalEnder(
+    const ZoneTask& task, const EditRules& rules, bool removes, std::vector<RemovedPiece>& removed)
     : mesh_(task.mesh)
+    , removes_(removes)
     , removed_(removed)
-    , pieces_(task.mesh, rules.spec)
+    , pieces_(task.mesh, rules)
   {
   }
 
@@ -152,7 +154,7 @@ private:
   // Into a neighbour that is no piece, where nothing gets worse by that.
   void mergeSmall()
   {
-    for (const std::uint32_t p : pieces_.copy())
+    for (const std::uint32_t p : std::vector<std::uint32_t>(pieces_.all()))
     {
       if (pieces_.size() < 2 || mesh_.cell(p).gone ||
         mesh_.cell(p).volume > SmallPiece * mesh_.cell(p).box)
@@ -161,7 +163,7 @@ private:
       }
       for (const std::uint32_t n : largestNeighbours(mesh_, p))
       {
-        if (!pieces_.contains(n) && pieces_.tryEdit(false, [&] { return mergeCells(mesh_, n, p); }))
+        if (!pieces_.contains(n) && pieces_.tryEdit(false, [&] { return pieces_.merge(n, p); }))
         {
           pieces_.addRefused(n);
           break;
@@ -173,7 +175,7 @@ private:
   // Pieces that would go, again and again, as far as something of them stays then.
   void halve()
   {
-    std::vector<std::uint32_t> todo = pieces_.copy();
+    std::vector<std::uint32_t> todo = pieces_.all();
     for (int round = 0; round < MostHalvings && !todo.empty(); ++round)
     {
       std::vector<std::uint32_t> next;
@@ -207,7 +209,7 @@ private:
   // The smallest first, as long as that helps.
   void removeRefused()
   {
-    for (bool isAny = true; isAny && !pieces_.isEnded();)
+    for (bool isAny = removes_; isAny && !pieces_.isEnded();)
     {
       std::vector<std::uint32_t> refused = pieces_.refused();
       std::sort(refused.begin(), refused.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -245,6 +247,7 @@ private:
   }
 
   EditMesh& mesh_;
+  const bool removes_;
   std::vector<RemovedPiece>& removed_;
   RefusedPieces pieces_;
   std::vector<MadeEdit> made_; // of what is removed of this cell
@@ -254,10 +257,11 @@ private:
 
 }
 
-void endRefusals(const ZoneTask& task, const EditRules& rules, std::vector<RemovedPiece>& removed,
-  std::vector<MadeEdit>& edits, const std::function<void()>& poll)
+void endRefusals(const ZoneTask& task, const EditRules& rules, bool removes,
+  std::vector<RemovedPiece>& removed, std::vector<MadeEdit>& edits,
+  const std::function<void()>& poll)
 {
-  RefusalEnder ender(task, rules, removed);
+  RefusalEnder ender(task, rules, removes, removed);
   for (const std::uint32_t c : task.cells)
   {
     poll();

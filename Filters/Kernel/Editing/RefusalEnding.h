@@ -20,8 +20,10 @@ struct RemovedPiece
   }
 };
 
-// Looks at the refused cells of a task, each with what it becomes. `removed`: what went in all tasks before; what goes is added.
-void endRefusals(const ZoneTask& task, const EditRules& rules, std::vector<RemovedPiece>& removed,
-  std::vector<MadeEdit>& edits, const std::function<void()>& poll);
+// Looks at the refused cells of a task, each with what it becomes, by the kinds of edits that the rules allow. `removes`: what
+// still is refused may go. `removed`: what went in all tasks before; what goes is added. `poll`: called now and then; may throw.
+void endRefusals(const ZoneTask& task, const EditRules& rules, bool removes,
+  std::vector<RemovedPiece>& removed, std::vector<MadeEdit>& edits,
+  const std::function<void()>& poll);
 
 }

@@ -118,23 +118,12 @@ Refusals RefusedPieces::begin(std::uint32_t c)
 void RefusedPieces::listOthers(std::uint32_t c)
 {
   others_.clear();
-  const auto look = [&](std::uint32_t other) {
-    if (other != None && other != c && mesh_.isFree(other) && hasInverted(mesh_, other))
+  mesh_.forEachCellAround(c, [&](std::uint32_t other) {
+    if (other != c && mesh_.isFree(other) && hasInverted(mesh_, other))
     {
       others_.push_back(other);
     }
-  };
-  for (const std::uint32_t f : mesh_.facesOf(c))
-  {
-    for (const std::uint32_t n : mesh_.cornersOf(f))
-    {
-      for (const std::uint32_t g : mesh_.facesAround(n))
-      {
-        look(mesh_.face(g).below);
-        look(mesh_.face(g).above);
-      }
-    }
-  }
+  });
 }
 
 bool RefusedPieces::contains(std::uint32_t c) const
@@ -234,6 +223,11 @@ void RefusedPieces::make(const RefusalPlan& plan)
   }
 }
 
+bool RefusedPieces::merge(std::uint32_t a, std::uint32_t b)
+{
+  return mayMerge(mesh_, rules_, a, b) && mergeCells(mesh_, a, b);
+}
+
 bool RefusedPieces::apply(const RefusalEdit& edit, CutParts& parts)
 {
   switch (edit.kind)
@@ -243,9 +237,9 @@ bool RefusedPieces::apply(const RefusalEdit& edit, CutParts& parts)
     case RefusalEdit::Kind::Join:
       return joinFaces(mesh_, edit.a, edit.b);
     case RefusalEdit::Kind::Merge:
-      return mergeCells(mesh_, edit.a, edit.b);
+      return merge(edit.a, edit.b);
     case RefusalEdit::Kind::Cut:
-      return cutCell(mesh_, edit.a, edit.plane, parts);
+      return rules_.mayCut && cutCell(mesh_, edit.a, edit.plane, parts);
   }
   return false;
 }

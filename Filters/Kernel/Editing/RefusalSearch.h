@@ -17,9 +17,9 @@ using RefusalPlan = std::vector<RefusalEdit>;
 class RefusedPieces
 {
 public:
-  RefusedPieces(EditMesh& mesh, const ObjectiveSpec& spec)
+  RefusedPieces(EditMesh& mesh, const EditRules& rules)
     : mesh_(mesh)
-    , spec_(spec)
+    , rules_(rules)
   {
   }
 
@@ -35,7 +35,6 @@ public:
 
   EditMesh& mesh() { return mesh_; }
   const std::vector<std::uint32_t>& all() const { return pieces_; }
-  std::vector<std::uint32_t> copy() const { return pieces_; }
   bool contains(std::uint32_t c) const;
   std::size_t size() const { return pieces_.size(); }
 
@@ -50,6 +49,9 @@ public:
   // Makes a valid edit, and follows its pieces. False: undone.
   bool make(const RefusalEdit& edit);
   void make(const RefusalPlan& plan);
+
+  // For tryEdit(): as far as the rules allow it.
+  bool merge(std::uint32_t a, std::uint32_t b);
 
   // Any edit, if it ranks before what was, or not behind it where it does not have to be better. Else it is undone.
   template <class Edit>
@@ -74,11 +76,11 @@ private:
   bool apply(const RefusalEdit& edit, CutParts& parts);
   bool isSettled(const EditMesh::Mark& mark)
   {
-    return settle(mesh_, spec_) && areAllClosed(mesh_, mark);
+    return settle(mesh_, rules_.spec) && areAllClosed(mesh_, mark);
   }
 
   EditMesh& mesh_;
-  const ObjectiveSpec& spec_;
+  const EditRules& rules_; // which kinds of edits are allowed, and the objective that measures
   std::vector<std::uint32_t> pieces_;
   std::vector<std::uint32_t>
     others_; // cells around that were refused themselves: they have their own turn

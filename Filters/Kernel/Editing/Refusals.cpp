@@ -26,24 +26,13 @@ bool isFacingAway(const EditMesh& mesh, std::uint32_t f)
 bool hasLargeNear(const EditMesh& mesh, std::uint32_t c)
 {
   constexpr double Large = 0.15; // of its box
-  const auto isLarge = [&](std::uint32_t other) {
-    return other != None && mesh.cell(other).region == mesh.cell(c).region &&
-      mesh.cell(other).volume >= Large * mesh.cell(other).box;
-  };
-  for (const std::uint32_t f : mesh.facesOf(c))
-  {
-    for (const std::uint32_t n : mesh.cornersOf(f))
-    {
-      for (const std::uint32_t g : mesh.facesAround(n))
-      {
-        if (isLarge(mesh.face(g).below) || isLarge(mesh.face(g).above))
-        {
-          return true;
-        }
-      }
-    }
-  }
-  return false;
+  bool isAny = false;
+  mesh.forEachCellAround(c, [&](std::uint32_t other) {
+    isAny = isAny ||
+      (mesh.cell(other).region == mesh.cell(c).region &&
+        mesh.cell(other).volume >= Large * mesh.cell(other).box);
+  });
+  return isAny;
 }
 
 }

@@ -166,26 +166,15 @@ std::vector<std::uint32_t> refusedCells(EditStore& store, Execution& execution)
 void thaw(EditStore& store, const std::vector<std::uint32_t>& refused)
 {
   EditMesh mesh(store, 0, 0, {});
-  const auto thawCell = [&](std::uint32_t c) {
-    if (c != None && mesh.cell(c).state == CellState::Frozen)
-    {
-      mesh.rawCell(c).state = CellState::Free;
-      setCostOfCell(mesh, c);
-    }
-  };
   for (const std::uint32_t c : refused)
   {
-    for (const std::uint32_t f : mesh.facesOf(c))
-    {
-      for (const std::uint32_t n : mesh.cornersOf(f))
+    mesh.forEachCellAround(c, [&](std::uint32_t other) {
+      if (mesh.cell(other).state == CellState::Frozen)
       {
-        for (const std::uint32_t g : mesh.facesAround(n))
-        {
-          thawCell(mesh.face(g).below);
-          thawCell(mesh.face(g).above);
-        }
+        mesh.rawCell(other).state = CellState::Free;
+        setCostOfCell(mesh, other);
       }
-    }
+    });
   }
 }
 
@@ -240,7 +229,7 @@ void endAll(EditStore& store, Loops loops, Execution& execution, std::vector<Mad
     editInGroups(store, execution, cells, [&](const ZoneTask& task) {
       std::vector<MadeEdit> ofZone;
       std::vector<RemovedPiece> pieces = removed;
-      endRefusals(task, loops.general.rules, pieces, ofZone, poll);
+      endRefusals(task, loops.general.rules, loops.removes, pieces, ofZone, poll);
       if (round + 1 < Rounds)
       {
         improveMade(task, loops, poll, ofZone);

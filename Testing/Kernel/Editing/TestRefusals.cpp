@@ -52,14 +52,14 @@ std::vector<std::uint32_t> allCells(const EditMesh& mesh)
   return cells;
 }
 
-std::vector<MadeEdit> endAll(EditMesh& mesh)
+std::vector<MadeEdit> endAll(EditMesh& mesh, const EditRules& rules = {}, bool removes = true)
 {
   const std::vector<std::uint32_t> cells = allCells(mesh);
   const std::vector<std::uint8_t> isOver(mesh.cellCount(), 0);
   std::vector<RemovedPiece> removed;
   std::vector<MadeEdit> edits;
-  endRefusals({ mesh, cells, { cells.data(), cells.data() + cells.size() }, isOver }, EditRules(),
-    removed, edits, [] {});
+  endRefusals({ mesh, cells, { cells.data(), cells.data() + cells.size() }, isOver }, rules,
+    removes, removed, edits, [] {});
   return edits;
 }
 
@@ -89,12 +89,26 @@ TEST(Refusals, GoodCellsStayAsTheyAre)
   EXPECT_EQ(differenceOf(mesh, before), "");
 }
 
+TEST(Refusals, WithoutCutsMergesAndRemovalOnlyFacesAreJoined)
+{
+  EditMesh mesh = aroundARim();
+  const double volume = volumeOf(mesh);
+  EditRules rules;
+  rules.mayCut = false;
+  rules.mostMerged = 0;
+  EXPECT_TRUE(endAll(mesh, rules, false).empty());
+  EXPECT_EQ(faultOf(mesh), "");
+  EXPECT_EQ(countCells(mesh), 1);
+  EXPECT_NEAR(volumeOf(mesh), volume, 1e-12);
+  EXPECT_GT(invertedSides(mesh), 0); // nothing else could end that
+}
+
 TEST(Refusals, TheLedgerCountsThem)
 {
   EditMesh mesh = aroundARim();
   const int before = invertedSides(mesh);
-  const ObjectiveSpec spec;
-  RefusedPieces pieces(mesh, spec);
+  const EditRules rules;
+  RefusedPieces pieces(mesh, rules);
   pieces.begin(0);
   const RefusalPlan plan = searchRefusals(pieces, SearchBudget());
   EXPECT_EQ(invertedSides(mesh), before); // a search changes nothing

@@ -123,7 +123,7 @@ TEST_P(ValidWalls, SolversRefuseNothing)
     const Refused refused = refusedOf(meshed.mesh);
     EXPECT_EQ(refused.inverted, 0);
     EXPECT_EQ(refused.withoutVolume, 0);
-    // What goes is told, and is all that is missing but for what walls always miss.
+    // Little goes; walls always miss a little.
     constexpr double BoxesOfWalls = 0.5;
     const double box = Size * Size * Size;
     EXPECT_NEAR(volumeOf(meshed.mesh), 216 - soup.volume(), 4 * box + BoxesOfWalls * box);
