@@ -13,6 +13,11 @@ CORNERS = (0, 0), (1, 0), (1, 1), (0, 1)
 SIDES = (0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6)
 
 
+def both_sides(polygons):
+    """The back has the front's triangles, as write() divides them."""
+    return polygons + [polygon[:1] + polygon[:0:-1] for polygon in polygons]
+
+
 class Scene:
     """Polygons, each of a boundary."""
 
@@ -26,9 +31,8 @@ class Scene:
         self.polygons.setdefault(wall, []).extend([first + i for i in polygon] for polygon in polygons)
 
     def sheet(self, points, wall="sheet", by=None):
-        """A flat one: its outline, for each side."""
-        around = list(range(len(points)))
-        self.add(points, [around, around[::-1]], wall, by)
+        """A flat one by its outline, for each side."""
+        self.add(points, both_sides([list(range(len(points)))]), wall, by)
 
     def rectangle(self, u, v, at=(0, 0, 0), parts=1, by=None):
         """A sheet about a point, along two vectors; in parts x parts rectangles."""
@@ -191,7 +195,7 @@ def bent_sheet(random, scene, by, steps=16):
     line = arc(random.uniform(0.2, 0.6), random.uniform(45, 260), steps)
     points = [(*p, z) for p in line for z in (-0.3, 0.3)]
     quads = [[2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1] for i in range(steps)]
-    scene.add(points, quads + [quad[::-1] for quad in quads], "sheet", by)
+    scene.add(points, both_sides(quads), "sheet", by)
     if random.random() < 0.5:
         scene.rectangle(by @ (0.6, 0, 0), by @ (0, 0, 0.6), by @ (0, -thickness(random), 0))
 
