@@ -1,7 +1,7 @@
 """xvfb-run -a pvpython draw.py REPOSITORY PROGRAM [NAME ...]: makes pictures of the help pages: of the mesh of
 their task cut open (task), of a flow that OpenFOAM computed (flow), of a mesh that
-follows a solution (adaptation), of layers (layers), of the coolant jacket (jacket), of sections (slices), of the
-solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
+follows a solution (adaptation), of layers (layers), of the coolant jacket (jacket), of sections (slices), of
+cells around a rim (rims), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
 of the exhaust header (regions; needs the folder of surfaces in SURFACES). PROGRAM is cartesian-mesher; the others are made by
 demo.sh, TestImages.py and Window/photograph.py."""
 
@@ -185,6 +185,34 @@ def draw_slices(folder):
     joined("slices.png", parts)
 
 
+def draw_rims(folder):
+    """A section across the edge of a thin plate in a flow: cells as the grid cuts them, and as they are meshed."""
+    plate = simple.Box(XLength=1.5, YLength=1.2, ZLength=0.012)
+    turned = simple.Transform(Input=simple.Triangulate(Input=plate), Transform="Transform")
+    turned.Transform.Rotate = [25, 20, 10]
+    as_cut = {"CollapseRatio": 0, "OptimiseNodes": 0, "SplitConcaveCells": 0, "SmallCells": "Remove", "PatchMethod": "Exact Fit"}
+    parts = []
+    for number, options in enumerate((as_cut, {})):
+        mesher = simple.CartesianMesher(Input=turned, Domain="Outside", BoxFrom="Bounds", DomainBounds=[-1.5, 1.5] * 3,
+                                        CellSize=0.15, BoxesAlongBody=0, **options)
+        view = simple.CreateView("RenderView")
+        section = simple.SlicePolyhedra(Input=mesher, Origin=[0, 0, 0], Normal=[0, 1, 0])
+        filled = simple.Show(simple.Triangulate(Input=section), view)  # concave polygons
+        filled.ColorArrayName, filled.DiffuseColor, filled.Ambient = ["CELLS", ""], [0.75, 0.85, 0.95], 0.25
+        edges = simple.Show(simple.ExtractEdges(Input=section), view)
+        edges.ColorArrayName, edges.DiffuseColor, edges.LineWidth = ["CELLS", ""], [0.3, 0.3, 0.3], 2
+        edges.Position = [0, -0.005, 0]  # before it
+        parts.append(folder / f"{number}.png")
+        view.CameraParallelProjection = 1
+        picture(parts[-1], view, [0, -1, 0], 1, [500, 400])
+        camera = simple.GetActiveCamera()
+        camera.SetFocalPoint(*RIM)
+        camera.SetPosition(RIM[0], RIM[1] - 3, RIM[2])
+        view.CameraParallelScale = 0.2
+        simple.SaveScreenshot(str(parts[-1]), view)
+    joined("rims.png", parts)
+
+
 def draw_cad(_):
     """A section of the page's regions."""
     names = {}
@@ -201,10 +229,12 @@ def draw_cad(_):
     picture("cadmesh.png", view, [0, -1e-3, 1], 1.3, [560, 560])
 
 
+RIM = [0.72, 0, -0.3]  # of the plate
 CUT = [51, 100, -3]  # in the middle of a tube of the header
 
 DRAWN = {"task": draw_task, "flow": draw_flow, "layers": draw_layers, "adaptation": draw_adaptation,
-         "jacket": draw_jacket, "regions": draw_regions, "cad": draw_cad, "slices": draw_slices}
+         "jacket": draw_jacket, "regions": draw_regions, "cad": draw_cad, "slices": draw_slices,
+         "rims": draw_rims}
 for name in sys.argv[3:] or DRAWN:
     with tempfile.TemporaryDirectory() as folder:
         DRAWN[name](pathlib.Path(folder))
