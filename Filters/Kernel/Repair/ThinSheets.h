@@ -12,10 +12,13 @@
 namespace cartesian
 {
 
+// Of sheets that are there twice, and of open surfaces (OpenSheets.h).
 enum class SheetHandling
 {
-  Keep = 0,
-  LeaveOut = 1
+  Automatic =
+    0, // those that are there twice are sheets, and open ones that would enclose next to nothing
+  LeaveOut = 1, // none is: open surfaces are closed
+  Keep = 2      // all are
 };
 
 // Two triangles with the same vertices.
