@@ -13,8 +13,8 @@ namespace
 constexpr std::int32_t OfSheet = 20; // boundary
 const GridSpec Grid = cellsOf(0.4);
 
-// What the thickness of a sheet and single precision leave, as a part.
-constexpr double Thin = 1e-5;
+// As a part of areas and volumes: a sheet is as thick as 1e-5 of the domain at most, which shows where it is folded.
+constexpr double Thin = 1e-4;
 
 using Place = std::function<Vector(double u, double v)>;
 
