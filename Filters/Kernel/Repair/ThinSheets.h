@@ -12,13 +12,12 @@
 namespace cartesian
 {
 
-// Of sheets that are there twice, and of open surfaces (OpenSheets.h).
+// Of sheets present twice, and of open surfaces (OpenSheets.h).
 enum class SheetHandling
 {
-  Automatic =
-    0, // those that are there twice are sheets, and open ones that would enclose next to nothing
-  LeaveOut = 1, // none is: open surfaces are closed
-  Keep = 2      // all are
+  Automatic = 0, // sheets are those present twice, and open ones that would enclose next to nothing
+  LeaveOut = 1,  // none: open surfaces are closed
+  Keep = 2       // all
 };
 
 // Two triangles with the same vertices.
