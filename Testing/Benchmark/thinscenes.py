@@ -26,9 +26,9 @@ class Scene:
         self.polygons.setdefault(wall, []).extend([first + i for i in polygon] for polygon in polygons)
 
     def sheet(self, points, wall="sheet", by=None):
-        """A flat one: its outline, for each side."""
-        around = list(range(len(points)))
-        self.add(points, [around, around[::-1]], wall, by)
+        """A flat one: its outline, for each side; in the same triangles."""
+        first, *others = range(len(points))
+        self.add(points, [[first, *others], [first, *others[::-1]]], wall, by)
 
     def rectangle(self, u, v, at=(0, 0, 0), parts=1, by=None):
         """A sheet about a point, along two vectors; in parts x parts rectangles."""

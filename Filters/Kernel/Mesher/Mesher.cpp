@@ -115,10 +115,10 @@ void separate(
   spec.contactTolerance = options.contactTolerance;
   spec.sheets = options.sheets;
   const bool boundSpaces = view.region || options.domain.domain == Domain::Inside;
-  prepared.openSheets = findOpenSheets(
-    surface, { options.sheets, boundSpaces }, options.baffles, prepared.planes, execution);
-  const std::vector<std::uint8_t>& open = prepared.openSheets.isOfOne;
   const double tolerance = options.contactTolerance / surface.lattice.step();
+  prepared.openSheets = findOpenSheets(surface, { options.sheets, boundSpaces, tolerance },
+    options.baffles, prepared.planes, execution);
+  const std::vector<std::uint8_t>& open = prepared.openSheets.isOfOne;
   if (!options.baffles.empty() && mayDivide(options))
   {
     const Surface given = surface;

@@ -5,11 +5,13 @@
 #include "Lattice/Vector.h"
 #include "Repair/Holes.h"
 #include "Repair/NearbyTriangles.h"
+#include "Repair/TriangleTree.h"
 #include "Surface/Places.h"
 #include "Surface/SurfaceEdges.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace cartesian
@@ -21,8 +23,11 @@ namespace
 // Lids of a sheet have more than this part of its area.
 constexpr double LeastLids = 0.7;
 
-// Rims this close to others are those of one wall, as a part of the root of the piece's area.
+// Rims this close to others are those of one wall, and to walls lie on them: as a part of the root of the piece's area.
 constexpr double Crack = 1e-3;
+
+// Walls under an edge of a rim may bend away from it by this part of its length.
+constexpr double LargestSagitta = 0.25;
 
 constexpr std::uint32_t None = ~0u;
 
@@ -39,6 +44,8 @@ struct Piece
   std::vector<std::array<std::uint32_t, 2>> rim; // such edges
   double area = 0;                               // levels
   bool isSheet = false;
+
+  double crack() const { return Crack * std::sqrt(area); }
 };
 
 class OpenPieces
@@ -185,6 +192,113 @@ bool looksLikeASheet(const Surface& surface, const Piece& piece, SheetHandling h
   return lids > LeastLids * piece.area;
 }
 
+// What open pieces lie on: triangles of others, and the sides of the domain if there are any.
+class Walls
+{
+public:
+  Walls(const Surface& surface, const std::vector<Piece>& pieces, const Meshlines& planes,
+    Execution& execution)
+    : surface_(surface)
+    , planes_(planes)
+    , tree_(surface, execution)
+    , pieceOf_(surface.triangles.size(), None)
+  {
+    for (std::uint32_t p = 0; p < pieces.size(); ++p)
+    {
+      for (const std::uint32_t t : pieces[p].triangles)
+      {
+        pieceOf_[t] = p;
+      }
+    }
+  }
+
+  // Whether any but this piece's own are at most this far from a place, in levels.
+  bool areNear(const Vector& place, double distance, std::uint32_t piece) const
+  {
+    if (isNearSide(place, distance))
+    {
+      return true;
+    }
+    const Vector aside{ distance, distance, distance };
+    bool found = false;
+    tree_.forEachWithin(minus(place, aside), plus(place, aside), [&](std::uint32_t t) {
+      found = found ||
+        (pieceOf_[t] != piece &&
+          norm(minus(nearestPlace(surface_.corners(t), place), place)) <= distance);
+    });
+    return found;
+  }
+
+private:
+  bool isNearSide(const Vector& place, double distance) const
+  {
+    for (std::size_t axis = 0; surface_.around.inside() && axis < 3; ++axis)
+    {
+      const std::vector<Level>& lines = planes_[axis];
+      if (std::min(std::abs(place[axis] - double(lines.front())),
+            std::abs(place[axis] - double(lines.back()))) <= distance)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const Surface& surface_;
+  const Meshlines& planes_;
+  TriangleTree tree_;
+  std::vector<std::uint32_t> pieceOf_; // by triangle; None: of no open piece
+};
+
+bool rimLiesOn(const Walls& walls, const Surface& surface, const Piece& piece, std::uint32_t number,
+  double tolerance)
+{
+  const double near = std::max(tolerance, piece.crack());
+  return std::all_of(piece.rim.begin(), piece.rim.end(), [&](const auto& edge) {
+    const Vector from = toVector(surface.vertices[edge[0]]);
+    const Vector to = toVector(surface.vertices[edge[1]]);
+    const double bend = LargestSagitta * norm(minus(to, from));
+    return walls.areNear(from, near, number) && walls.areNear(to, near, number) &&
+      walls.areNear(scaled(plus(from, to), 0.5), std::max(near, bend), number);
+  });
+}
+
+// Whether most of the lids' area is nearer to walls than to the piece itself.
+bool lidsLieOn(const Walls& walls, const Surface& surface, const Piece& piece, std::uint32_t number,
+  const Meshlines& planes, Execution& execution)
+{
+  Surface own = surfaceOf(surface, piece);
+  closeHoles(own, SurfaceEdges(own, execution), planes, execution);
+  double all = 0;
+  double onWalls = 0;
+  for (std::size_t lid = piece.triangles.size(); lid < own.triangles.size(); ++lid)
+  {
+    const Vector place = middleOf(own, lid);
+    double height = std::numeric_limits<double>::max();
+    for (std::size_t t = 0; t < piece.triangles.size(); ++t)
+    {
+      height = std::min(height, norm(minus(nearestPlace(own.corners(t), place), place)));
+    }
+    all += areaOf(own, lid);
+    onWalls += walls.areNear(place, height, number) ? areaOf(own, lid) : 0;
+  }
+  return onWalls > all / 2;
+}
+
+// Those that are open only on the side they lie on, such as letters on a wall, are bodies.
+void dropBodiesOnWalls(const Surface& surface, const OpenSheetSpec& spec, const Meshlines& planes,
+  std::vector<Piece>& pieces, Execution& execution)
+{
+  const Walls walls(surface, pieces, planes, execution);
+  for (std::uint32_t p = 0; p < pieces.size(); ++p)
+  {
+    Piece& piece = pieces[p];
+    piece.isSheet = piece.isSheet &&
+      !(rimLiesOn(walls, surface, piece, p, spec.tolerance) &&
+        lidsLieOn(walls, surface, piece, p, planes, execution));
+  }
+}
+
 // Those whose whole rims lie along rims of others are none.
 void dropPatches(const Surface& surface, std::vector<Piece>& pieces)
 {
@@ -200,17 +314,16 @@ void dropPatches(const Surface& surface, std::vector<Piece>& pieces)
       rims.triangles.push_back({ from, to, to });
       rims.boundary.push_back(static_cast<std::int32_t>(p));
     }
-    reach = std::max(reach, pieces[p].isSheet ? Crack * std::sqrt(pieces[p].area) : 0);
+    reach = std::max(reach, pieces[p].isSheet ? pieces[p].crack() : 0);
   }
   const NearbyTriangles nearby(rims, all, reach);
   for (std::uint32_t p = 0; p < pieces.size(); ++p)
   {
     Piece& piece = pieces[p];
-    const double near = Crack * std::sqrt(piece.area);
     const auto isAlong = [&](std::uint32_t v) {
       const auto nearest = nearby.find(toVector(surface.vertices[v]),
         [&](std::uint32_t t) { return rims.boundary[t] != static_cast<std::int32_t>(p); });
-      return nearest.triangle != NearbyTriangles::None && nearest.distance <= near;
+      return nearest.triangle != NearbyTriangles::None && nearest.distance <= piece.crack();
     };
     piece.isSheet = piece.isSheet &&
       !std::all_of(piece.rim.begin(), piece.rim.end(),
@@ -252,6 +365,10 @@ OpenSheets findOpenSheets(const Surface& surface, const OpenSheetSpec& spec,
     return found;
   }
   dropPatches(surface, pieces);
+  if (spec.handling == SheetHandling::Automatic)
+  {
+    dropBodiesOnWalls(surface, spec, planes, pieces, execution);
+  }
   std::vector<std::uint8_t> isOfOne(surface.triangles.size());
   for (const Piece& piece : pieces)
   {

@@ -4,7 +4,10 @@
 //
 // A piece is triangles of one region that are connected across edges of exactly two of them; it is open where it has an
 // edge that nothing else uses. A triangle alone is none (it encloses nothing, and is left out), nor is a piece whose rim
-// lies along other open rims all around: it is a patch of a wall whose triangles do not share their edges.
+// lies along other open rims all around: it is a patch of a wall whose triangles do not share their edges. One that is
+// open only on the side it lies on, such as a letter on a wall, is a body: its whole rim lies on other triangles or on sides
+// of the domain, and most of its lids is nearer to those than to itself. A fin that stands on a wall, or a partition from
+// wall to wall, is a sheet.
 #pragma once
 
 #include "Repair/Baffles.h"
@@ -37,6 +40,7 @@ struct OpenSheetSpec
 {
   SheetHandling handling = SheetHandling::Automatic;
   bool boundSpaces = true; // the surface, or each region, must bound what is meshed
+  double tolerance = 0;    // how far from walls rims may end, in levels
 };
 
 // Triangles of baffles are no part of any. With SheetHandling::Keep all open pieces with a hole wider than a box (Holes.h)

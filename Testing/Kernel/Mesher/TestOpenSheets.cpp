@@ -114,6 +114,29 @@ Soup openBox()
   return soup;
 }
 
+// As a letter on a wall in z = 0: nothing below, and a lid of 0.79 of its own area.
+Soup letter()
+{
+  Soup soup = box({ -0.5, -0.3, 0 }, { 0.5, 0.3, 0.05 });
+  for (std::size_t t = soup.triangles.size(); t-- > 0;)
+  {
+    if (soup.boundaryOf(t) == 4)
+    {
+      soup.triangles.erase(soup.triangles.begin() + static_cast<std::ptrdiff_t>(t));
+      soup.boundary.erase(soup.boundary.begin() + static_cast<std::ptrdiff_t>(t));
+    }
+  }
+  soup.boundary.assign(soup.triangles.size(), OfSheet);
+  return soup;
+}
+
+Soup wall()
+{
+  Soup soup = box({ -1, -1, -1 }, { 1, 1, 0 });
+  soup.boundary.assign(soup.triangles.size(), 1);
+  return soup;
+}
+
 // A wing of a fifth of its chord in thickness, open at its root.
 Soup halfWing()
 {
@@ -262,6 +285,57 @@ TEST(OpenSheets, AreNoneIfTheyArePatchesOfWalls)
   triangle.boundary.pop_back();
   alone.add(triangle);
   EXPECT_EQ(sheetsIn(alone, inAFlow()), 0U);
+}
+
+// Open only on the side that they lie on, wherever on the wall; not if they hover, or lie on it with a part of their rims.
+TEST(OpenSheets, AreNoneIfTheyAreLettersOnAWall)
+{
+  TestOptions closed = inAFlow();
+  closed.sheets = SheetHandling::LeaveOut;
+  const auto onWall = [](const Vector& by) { return wall().add(letter().moved(by)); };
+  for (const Soup& soup : turns(onWall({ 0.13, 0.17, 0 })))
+  {
+    EXPECT_EQ(sheetsIn(soup, inAFlow()), 0U);
+    const Meshed meshed = meshOf(soup, Grid, inAFlow());
+    EXPECT_TRUE(isValid(meshed.mesh, true));
+    EXPECT_NEAR(volumeOf(meshed.mesh), 64 - 4 - 0.03, Thin);
+    EXPECT_TRUE(meshed.mesh == meshOf(soup, Grid, closed).mesh);
+  }
+  EXPECT_EQ(sheetsIn(wall().add(letter().turned(0, 180)), inAFlow()), 0U);
+  EXPECT_EQ(sheetsIn(onWall({ 0, 0, 0.01 }), inAFlow()), 1U);
+  EXPECT_EQ(sheetsIn(onWall({ 0.7, 0, 0 }), inAFlow()), 1U);
+  TestOptions tolerant = inAFlow();
+  tolerant.contactTolerance = 0.011;
+  EXPECT_EQ(sheetsIn(onWall({ 0, 0, 0.01 }), tolerant), 0U);
+}
+
+TEST(OpenSheets, AreNoneIfTheyLieOnASideOfTheDomain)
+{
+  const Soup bump = letter().moved({ 0.1, 0.2, -2 });
+  EXPECT_EQ(sheetsIn(bump, inAFlow()), 0U);
+  const Meshed meshed = meshOf(bump, Grid, inAFlow());
+  EXPECT_TRUE(isValid(meshed.mesh, true));
+  EXPECT_NEAR(volumeOf(meshed.mesh), 64 - 0.03, Thin);
+}
+
+// With one edge; or with the whole rim, from wall to wall.
+TEST(OpenSheets, MayStandOnWalls)
+{
+  const Soup upright = patch(4, [](double u, double v) {
+    return Vector{ 0.9 * u - 0.45, 0.1, 0.8 * v };
+  });
+  for (const Soup& soup : turns(wall().add(upright)))
+  {
+    expectSides(soup, 64 - 4, upright.area(), inAFlow());
+  }
+  expectSides(upright.moved({ 0, 0, -2 }), 64, upright.area(), inAFlow());
+  const Soup partition = patch(4, [](double u, double v) {
+    return Vector{ 2 * u - 1, 4 * v - 2, 0.13 };
+  });
+  for (const Soup& soup : turns(duct().add(partition)))
+  {
+    expectSides(soup, 16, partition.area(), asTheyAre());
+  }
 }
 
 TEST(OpenSheets, BoundNothingAlone)
