@@ -351,13 +351,15 @@ public:
 
   ///@{
   /**
-   * Sheets without thickness, whose triangles the surface has twice: 0, the default, each side is a wall; 1,
-   * they are ignored.
+   * Sheets without thickness, whose triangles the surface has twice, and open surfaces: 0, the default, each side of
+   * the former is a wall, and of the latter if they would enclose next to nothing; 1, the former are ignored, the
+   * latter are closed; 2, each side is a wall.
    */
-  vtkSetClampMacro(Sheets, int, 0, 1);
+  vtkSetClampMacro(Sheets, int, 0, 2);
   vtkGetMacro(Sheets, int);
-  void SetSheetsToKeep() { this->SetSheets(0); }
+  void SetSheetsToKeep() { this->SetSheets(2); }
   void SetSheetsToLeaveOut() { this->SetSheets(1); }
+  void SetSheetsToAutomatic() { this->SetSheets(0); }
   ///@}
 
   ///@{

@@ -114,8 +114,18 @@ void separate(
   spec.names = view.regionNames ? *view.regionNames : std::vector<std::string>();
   spec.contactTolerance = options.contactTolerance;
   spec.sheets = options.sheets;
+  const bool boundSpaces = view.region || options.domain.domain == Domain::Inside;
+  const double tolerance = options.contactTolerance / surface.lattice.step();
+  prepared.openSheets = findOpenSheets(surface, { options.sheets, boundSpaces, tolerance },
+    options.baffles, prepared.planes, execution);
+  const std::vector<std::uint8_t>& open = prepared.openSheets.isOfOne;
   if (!options.baffles.empty() && mayDivide(options))
   {
+    const Surface given = surface;
+    if (!open.empty())
+    {
+      doubleSheets(surface, {}, open, tolerance, execution);
+    }
     spec.baffles = options.baffles;
     surface.region.resize(surface.triangles.size(), FirstRegion);
     if (auto contacts = separateRegions(surface, prepared.planes, spec, execution))
@@ -124,15 +134,11 @@ void separate(
       return;
     }
     spec.baffles.clear();
+    surface = given;
   }
-  if (!view.region)
+  if (!options.baffles.empty() || !open.empty())
   {
-    surface.region.clear();
-  }
-  if (!options.baffles.empty())
-  {
-    const double tolerance = options.contactTolerance / surface.lattice.step();
-    doubleBaffles(surface, options.baffles, tolerance, execution);
+    doubleSheets(surface, options.baffles, open, tolerance, execution);
   }
   if (view.region)
   {

@@ -15,6 +15,7 @@
 #include "Mesher/Stages.h"
 #include "Parts/Decomposition.h"
 #include "Repair/Contacts.h"
+#include "Repair/OpenSheets.h"
 #include "Repair/SurfaceRepair.h"
 #include "Surface/KeepPoints.h"
 
@@ -34,6 +35,7 @@ struct PreparedSurface
   Surface surface;
   std::map<std::int32_t, std::size_t> boundariesGiven; // how many of the user's triangles each has
   SurfaceRepair repair;
+  OpenSheets openSheets;
   std::vector<ClosedContact> contacts; // of several regions
   Meshlines planes;
   Bounds bounds; // of the surface, user units

@@ -196,6 +196,41 @@ std::string describeVanished(
   return first + (first.empty() || second.empty() ? "" : "\n") + second;
 }
 
+// Open surfaces that are taken for sheets, and those that are not though they look like some.
+std::string describeOpenSheets(
+  const PreparedSurface& prepared, const std::map<std::int32_t, std::string>& names)
+{
+  constexpr std::size_t MostPlaces = 5;
+  const OpenSheets& sheets = prepared.openSheets;
+  const double step = prepared.surface.lattice.step();
+  std::string text = sheets.boundNothing == 0
+    ? ""
+    : counted(sheets.boundNothing, "open surface looks like a sheet, but is",
+        "open surfaces look like sheets, but are") +
+      " all that there is, and so closed by lids, which leaves nothing to mesh: add the walls "
+      "around, or set Domain to "
+      "Outside to mesh the space around.";
+  if (sheets.all.empty())
+  {
+    return text;
+  }
+  text += lineBreak(text) +
+    counted(
+      sheets.all.size(), "open surface is kept as a sheet", "open surfaces are kept as sheets") +
+    ": both sides are walls. Set Sheets to Leave Out to close open surfaces by lids instead; the "
+    "Boundary Type baffle "
+    "makes sheets of a boundary in any case, and gives their backs a boundary of their own:";
+  for (std::size_t i = 0; i < std::min(sheets.all.size(), MostPlaces); ++i)
+  {
+    const OpenSheet& sheet = sheets.all[i];
+    const auto name = names.find(sheet.boundary);
+    text += "\n  area " + number(sheet.area * step * step) + ", of boundary " +
+      (name == names.end() ? std::to_string(sheet.boundary) : name->second) + ", near " +
+      placeOf(prepared.surface, sheet.place);
+  }
+  return text;
+}
+
 // How many of them each boundary has, those with most first.
 std::string countsByBoundary(
   const std::vector<CellLeftOut>& cells, const std::map<std::int32_t, std::string>& names)
@@ -308,6 +343,10 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
       std::to_string(cells[prepared.inspected().given[place.triangle]]);
   }
   text += text.empty() ? "" : "\nRepair the surface there if the mesh shows flaws.";
+  if (const std::string sheets = describeOpenSheets(prepared, names); !sheets.empty())
+  {
+    text += lineBreak(text) + sheets;
+  }
   if (!repair.duplicates.empty())
   {
     text += lineBreak(text) +

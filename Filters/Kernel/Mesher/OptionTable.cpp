@@ -29,7 +29,7 @@ std::vector<NamedOption> optionTable()
   return {
     choice("Regions From", d.regionsFrom, { "One", "Blocks", "Array" }),
     { "Contact Tolerance", d.contactTolerance, RegionSpec::ContactTolerances, Length },
-    choice("Sheets", d.sheets, { "Keep", "Leave Out" }),
+    choice("Sheets", d.sheets, { "Automatic", "Leave Out", "Keep" }),
     choice("Domain", d.domain.domain, { "Inside", "Outside", "Around Points" }),
     choice("Box From", d.domain.boxFrom, { "Surface", "Bounds" }),
     choice("Flow Direction", d.domain.flow,

@@ -33,7 +33,7 @@ struct Options
 
   RegionSource regionsFrom = RegionSource::One;
   double contactTolerance = 0; // user units (Regions.h)
-  SheetHandling sheets = SheetHandling::Keep;
+  SheetHandling sheets = SheetHandling::Automatic;
   std::vector<Baffle> baffles;
   DomainSpec domain;
   GridSpec grid;

@@ -260,23 +260,43 @@ private:
   std::int32_t parts_ = 0;
 };
 
+// Takes triangles out of a surface.
+template <class IsTaken>
+Surface take(Surface& surface, IsTaken&& isTaken)
+{
+  Surface left;
+  Surface taken;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    if (isTaken(t))
+    {
+      taken.append(surface, t);
+    }
+    else
+    {
+      left.append(surface, t);
+      left.ofSheet.push_back(surface.isOfSheet(t) ? 1 : 0);
+    }
+  }
+  taken.lattice = surface.lattice;
+  taken.vertices = surface.vertices;
+  surface.triangles.swap(left.triangles);
+  surface.boundary.swap(left.boundary);
+  surface.given.swap(left.given);
+  surface.region.swap(left.region);
+  if (!surface.ofSheet.empty())
+  {
+    surface.ofSheet.swap(left.ofSheet);
+  }
+  return taken;
+}
+
 }
 
 Surface takeBaffles(Surface& surface, const std::vector<Baffle>& baffles)
 {
-  Surface walls;
-  Surface sheets;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-  {
-    (baffleOf(surface.boundary[t], baffles) ? sheets : walls).append(surface, t);
-  }
-  sheets.lattice = surface.lattice;
-  sheets.vertices = surface.vertices;
-  surface.triangles.swap(walls.triangles);
-  surface.boundary.swap(walls.boundary);
-  surface.given.swap(walls.given);
-  surface.region.swap(walls.region);
-  return sheets;
+  return take(
+    surface, [&](std::size_t t) { return baffleOf(surface.boundary[t], baffles) != nullptr; });
 }
 
 std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
@@ -337,18 +357,23 @@ std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
   return parts;
 }
 
-void doubleBaffles(
-  Surface& surface, const std::vector<Baffle>& baffles, double tolerance, Execution& execution)
+void doubleSheets(Surface& surface, const std::vector<Baffle>& baffles,
+  const std::vector<std::uint8_t>& open, double tolerance, Execution& execution)
 {
   const bool hasRegions = !surface.region.empty();
   surface.region.resize(surface.triangles.size(), FirstRegion);
-  Surface sheets = takeBaffles(surface, baffles);
+  Surface sheets = take(surface, [&](std::size_t t) {
+    return (t < open.size() && open[t] != 0) || baffleOf(surface.boundary[t], baffles);
+  });
   joinRims(surface, sheets, { tolerance, LargestSagitta }, execution);
   surface.ofSheet.assign(surface.triangles.size(), 0);
   for (std::size_t t = 0; t < sheets.triangles.size(); ++t)
   {
     surface.append(sheets, t);
-    surface.boundary.back() = baffleOf(sheets.boundary[t], baffles)->back;
+    if (const Baffle* const baffle = baffleOf(sheets.boundary[t], baffles))
+    {
+      surface.boundary.back() = baffle->back;
+    }
     surface.append(sheets, t);
     std::swap(surface.triangles.back()[1], surface.triangles.back()[2]);
   }

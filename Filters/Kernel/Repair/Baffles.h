@@ -43,9 +43,10 @@ std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
   const std::vector<Baffle>& baffles, std::int32_t regions, double tolerance,
   const std::vector<std::string>& names, Execution& execution);
 
-// Turns baffles, which may end anywhere, into sheets present twice (Surface::ofSheet): in a surface that need not be
-// closed yet, of one region or several. `tolerance`: as above.
-void doubleBaffles(
-  Surface& surface, const std::vector<Baffle>& baffles, double tolerance, Execution& execution);
+// Turns baffles and open sheets, which may end anywhere, into sheets present twice (Surface::ofSheet): in a surface that
+// need not be closed yet, of one region or several. `open`: of each triangle, 1: of an open sheet (OpenSheets.h), both sides
+// of which have its boundary; or empty. `tolerance`: as above.
+void doubleSheets(Surface& surface, const std::vector<Baffle>& baffles,
+  const std::vector<std::uint8_t>& open, double tolerance, Execution& execution);
 
 }

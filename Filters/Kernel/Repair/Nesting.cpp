@@ -45,7 +45,7 @@ public:
         const std::uint32_t other = at->first[1];
         if (isIn(sheet, other) || isAmongThingsIn(sheet, other))
         {
-          depth[sheet] = std::max(depth[sheet], 1 + (other == OpenSheets ? 0 : depth[other]));
+          depth[sheet] = std::max(depth[sheet], 1 + (other == AllOpenSheets ? 0 : depth[other]));
         }
       }
     }
@@ -80,7 +80,7 @@ private:
 
   bool isIn(std::uint32_t sheet, std::uint32_t other) const
   {
-    if (other == OpenSheets)
+    if (other == AllOpenSheets)
     {
       return isMostlyIn(sheet, other, 3, 4);
     }
@@ -101,7 +101,7 @@ private:
   // Whether a sheet passes through another, and meets things that lie in that and were given alike.
   bool isAmongThingsIn(std::uint32_t sheet, std::uint32_t other) const
   {
-    if (other == OpenSheets || !isLarger(other, sheet) || !crossings_.cross(sheet, other) ||
+    if (other == AllOpenSheets || !isLarger(other, sheet) || !crossings_.cross(sheet, other) ||
       !isMostlyIn(sheet, other, 1, 2))
     {
       return false;

@@ -28,7 +28,7 @@ struct RegionSpec
   std::vector<std::string> names; // for messages
   double contactTolerance = 0;    // user units
   std::vector<Baffle> baffles;
-  SheetHandling sheets = SheetHandling::Keep;
+  SheetHandling sheets = SheetHandling::Automatic;
 };
 
 // Fills Surface::walls; boundary indices then are those of walls. Returns what the tolerance closed; or nothing,

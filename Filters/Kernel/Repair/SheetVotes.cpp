@@ -125,7 +125,7 @@ private:
 
   std::uint32_t bodyOf(std::uint32_t sheet) const
   {
-    return sheets_.closed(sheet) ? sheet : OpenSheets;
+    return sheets_.closed(sheet) ? sheet : AllOpenSheets;
   }
 
   // What the line is in where it crosses a sheet.
@@ -159,12 +159,12 @@ private:
     for (const std::uint32_t other : entered_)
     {
       around_.push_back(bodyOf(other));
-      open += around_.back() == OpenSheets ? 1 : 0;
+      open += around_.back() == AllOpenSheets ? 1 : 0;
     }
     sortOut(around_);
     for (const std::uint32_t other : around_)
     {
-      const bool isIn = other == OpenSheets ? open % 2 == 1 : other != own;
+      const bool isIn = other == AllOpenSheets ? open % 2 == 1 : other != own;
       if (isIn && !std::binary_search(close_.begin(), close_.end(), other))
       {
         ++votes_.nesting[{ own, other }].inside;

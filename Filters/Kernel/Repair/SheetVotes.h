@@ -14,7 +14,7 @@ namespace cartesian
 {
 
 // All sheets that are not closed, as if they were one.
-constexpr std::uint32_t OpenSheets = ~0u;
+constexpr std::uint32_t AllOpenSheets = ~0u;
 
 struct SheetVotes
 {
@@ -37,7 +37,7 @@ struct SheetVotes
   std::vector<OfFacing> alone;    // of each closed sheet, by its own crossings
   std::vector<long long> samples; // of each closed sheet: crossings with the lines laid through it
   std::map<std::array<std::uint32_t, 2>, OfNesting>
-    nesting; // of a closed sheet in another, or in OpenSheets
+    nesting; // of a closed sheet in another, or in AllOpenSheets
 };
 
 SheetVotes voteOnSheets(const Surface& surface, const Sheets& sheets, Execution& execution);

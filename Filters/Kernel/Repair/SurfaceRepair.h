@@ -34,7 +34,7 @@ struct SurfaceRepair
 
 struct RepairSpec
 {
-  SheetHandling sheets = SheetHandling::Keep;
+  SheetHandling sheets = SheetHandling::Automatic;
   MeshedSide meshed = MeshedSide::Inside;
 };
 

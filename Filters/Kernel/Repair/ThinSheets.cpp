@@ -511,7 +511,7 @@ std::vector<SheetPair> findSheets(const Surface& surface, SheetHandling sheets,
   const SurfaceEdges& edges, const Duplicates& duplicates)
 {
   // Triangles in which the thickness would show are left out.
-  const bool keeps = sheets == SheetHandling::Keep && isFinelyPlaced(surface);
+  const bool keeps = sheets != SheetHandling::LeaveOut && isFinelyPlaced(surface);
   const auto isKnown = [&](const SheetPair& pair) {
     return surface.isOfSheet(pair[0]) && surface.isOfSheet(pair[1]);
   };

@@ -12,10 +12,12 @@
 namespace cartesian
 {
 
+// Of sheets present twice, and of open surfaces (OpenSheets.h).
 enum class SheetHandling
 {
-  Keep = 0,
-  LeaveOut = 1
+  Automatic = 0, // sheets are those present twice, and open ones that would enclose next to nothing
+  LeaveOut = 1,  // none: open surfaces are closed
+  Keep = 2       // all
 };
 
 // Two triangles with the same vertices.
