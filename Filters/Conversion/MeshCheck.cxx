@@ -271,8 +271,9 @@ std::string describeFailures(const MeshCheck& check, vtkUnstructuredGrid* grid)
     return text;
   }
   text = "checkMesh will fail: " + text +
-    ". Repairing that would change the wall too much. Use a smaller Cell Size or a larger "
-    "Refinement Depth there:";
+    ". Repairing that would change the wall too much. Change the Cell Size by a few percent, so "
+    "that the wall lies elsewhere in the boxes; where it bounds something thinner than the boxes, "
+    "use smaller ones (Refinement Depth):";
   for (std::size_t i = 0; i < std::min(check.failing.size(), MostPlaces); ++i)
   {
     std::array<double, 6> at;
