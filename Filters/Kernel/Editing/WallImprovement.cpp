@@ -4,6 +4,7 @@
 #include "Base/Sorting.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/EditZones.h"
+#include "Editing/FlatFaces.h"
 #include "Editing/NodePlaces.h"
 #include "Editing/ShortEdges.h"
 #include "Editing/SmallCells.h"
@@ -117,9 +118,9 @@ void weighAnew(const ZoneTask& task, const ObjectiveSpec& from, const ObjectiveS
   }
 }
 
-void append(std::vector<MadeEdit>& all, LoopCounts counts)
+void append(std::vector<MadeEdit>& all, const std::vector<MadeEdit>& more)
 {
-  all.insert(all.end(), counts.edits.begin(), counts.edits.end());
+  all.insert(all.end(), more.begin(), more.end());
 }
 
 // Where any face needs it; costs are as before afterwards.
@@ -134,9 +135,9 @@ void improveFailing(const ZoneTask& task, const Loops& loops, const std::functio
     const ObjectiveSpec& thorough = loops.thorough.rules.spec;
     const ObjectiveSpec& last = loops.last.rules.spec;
     weighAnew(task, usual, thorough);
-    append(edits, improve(task, loops.thorough, poll));
+    append(edits, improve(task, loops.thorough, poll).edits);
     weighAnew(task, thorough, last);
-    append(edits, improve(task, loops.last, poll));
+    append(edits, improve(task, loops.last, poll).edits);
     weighAnew(task, last, usual);
   }
 }
@@ -171,6 +172,7 @@ std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, E
   });
   if (!spec.improves())
   {
+    append(edits, removeFlatFaces(store, general.rules.spec, execution));
     return edits;
   }
   pay();
@@ -182,7 +184,7 @@ std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, E
       {
         takeSmallCells(task, general.rules, false, ofZone); // what edges could not take
       }
-      append(ofZone, improve(task, general, poll));
+      append(ofZone, improve(task, general, poll).edits);
       improveFailing(task, loops, poll, ofZone);
       takeSmallCells(task, general.rules, spec.removesCells, ofZone);
       const std::lock_guard<std::mutex> lock(mutex);
@@ -195,6 +197,7 @@ std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, E
   }
   pay();
   separateNodes(store, execution);
+  append(edits, removeFlatFaces(store, general.rules.spec, execution));
   sortAll(edits, execution); // zones end in any order
   return edits;
 }

@@ -9,6 +9,7 @@
 #include "Cells/OverlappingCells.h"
 #include "Cells/WarpedHexahedra.h"
 #include "Editing/EditableWall.h"
+#include "Editing/FlatFaces.h"
 #include "Editing/WallImprovement.h"
 #include "Faces/BoxRebuilding.h"
 #include "Lattice/Vector.h"
@@ -377,7 +378,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   a.patches.forgetPolygons();
   removeOverlapping(a, execution);
   makeInterfaces(a.patches.walls, a.wall);
-  if (editsWall(options))
+  if (editsWall(options) || hasFlatFaces(a.nodes, a.wall, execution))
   {
     editWall(a, options, layers, execution);
   }
