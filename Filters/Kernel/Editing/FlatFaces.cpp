@@ -4,6 +4,7 @@
 #include "Base/Sorting.h"
 #include "Editing/CellClosure.h"
 #include "Editing/Debts.h"
+#include "Editing/EditDecision.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/FixedList.h"
 #include "Editing/PrimitiveEdits.h"
@@ -79,8 +80,7 @@ bool areTwins(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
 class Removal
 {
 public:
-  // `mayTouch`: cells may touch themselves along its edges afterwards (they are frozen, as others that do), and two walls
-  // each other.
+  // `mayTouch`: cells may touch themselves along its edges afterwards, as others do, and two walls each other.
   Removal(EditMesh& mesh, std::uint32_t f, bool mayTouch = false)
     : mesh_(mesh)
     , face_(f)
@@ -145,17 +145,15 @@ private:
 
   bool isWhole(std::uint32_t c)
   {
-    if (mesh_.isFree(c) && mayTouch_ && !isClosed(mesh_, c))
+    if (mesh_.isGhost(c))
     {
-      mesh_.changeCell(c).state = CellState::Frozen;
+      return false;
     }
-    return mesh_.isFree(c) ? isClosed(mesh_, c) : hasFaces(c);
-  }
-
-  // Cells that touch themselves are frozen: of their edges, some are of four faces.
-  bool hasFaces(std::uint32_t c) const
-  {
-    return !mesh_.isGhost(c) && mesh_.facesOf(c).size() >= LeastFaces;
+    if (mayTouch_ && !mesh_.cell(c).touches && touchesItself(mesh_, c))
+    {
+      mesh_.changeCell(c).touches = true;
+    }
+    return isClosed(mesh_, c);
   }
 
   // Two walls with the same corners are a wall without thickness: inside a cell it goes, between two it may stay. Other
@@ -320,9 +318,9 @@ bool measureChanged(EditMesh& mesh)
 class FlatFaceRemover
 {
 public:
-  FlatFaceRemover(EditMesh& mesh, const ObjectiveSpec& spec)
+  FlatFaceRemover(EditMesh& mesh, const EditRules& rules)
     : mesh_(mesh)
-    , spec_(spec)
+    , rules_(rules)
   {
   }
 
@@ -348,7 +346,8 @@ private:
     }
     for (const std::uint32_t other : largestNeighbours(mesh_, c))
     {
-      if (tryEdit([&] { return Removal(mesh_, f, true).merge(c, other); }))
+      if (mayMerge(mesh_, rules_, other, c) &&
+        tryEdit([&] { return Removal(mesh_, f, true).merge(c, other); }))
       {
         edits_.push_back(madeEdit(mesh_, EditKind::Merge, other));
         return true;
@@ -367,7 +366,7 @@ private:
   bool collapse(std::uint32_t f)
   {
     Few ring;
-    if (!copy(mesh_.cornersOf(f), ring))
+    if (!rules_.mayChangeWalls || !copy(mesh_.cornersOf(f), ring))
     {
       return false;
     }
@@ -399,12 +398,12 @@ private:
     listChanged(mesh_, changed);
     mesh_.commit();
     changed = sortedUnique(std::move(changed));
-    costCells(mesh_, { changed.data(), changed.data() + changed.size() }, spec_);
+    costCells(mesh_, { changed.data(), changed.data() + changed.size() }, rules_.spec);
     return true;
   }
 
   EditMesh& mesh_;
-  const ObjectiveSpec& spec_;
+  const EditRules& rules_;
   std::vector<MadeEdit> edits_;
 };
 
@@ -417,7 +416,7 @@ bool isFlat(const EditMesh& mesh, std::uint32_t f)
 }
 
 std::vector<MadeEdit> removeFlatFaces(
-  EditStore& store, const ObjectiveSpec& spec, Execution& execution)
+  EditStore& store, const EditRules& rules, Execution& execution)
 {
   std::vector<std::vector<std::uint32_t>> ofChunks(chunks(store.faces.size(), ItemsAChunk));
   execution.forEach(store.faces.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
@@ -431,7 +430,7 @@ std::vector<MadeEdit> removeFlatFaces(
     }
   });
   EditMesh mesh(store, 0, 0, {});
-  FlatFaceRemover remover(mesh, spec);
+  FlatFaceRemover remover(mesh, rules);
   for (const std::uint32_t f : concatenated(ofChunks))
   {
     if (!mesh.face(f).gone)

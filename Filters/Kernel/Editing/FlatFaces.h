@@ -19,10 +19,10 @@ bool isFlat(const EditMesh& mesh, std::uint32_t f);
 bool hasFlatFaces(const Nodes& nodes, const WallMesh& wall, Execution& execution);
 
 // Takes them out: cells keep their volumes, walls their places. Where that cannot be (a cell of few other faces, which only
-// holds what these are warped; faces that would touch themselves) a cell becomes part of another, or goes, or a corner becomes
-// the next: returns what was done to cells. What changes is measured, and costs as the specification says. All cells are in
-// zone 0.
+// holds what these are warped; faces that would touch themselves) a cell becomes part of another, where the rules allow that, or
+// goes whatever they say, as solvers cannot use it, or a corner becomes the next: returns what was done to cells. What changes
+// is measured, and costs as the rules say. All cells are in zone 0.
 std::vector<MadeEdit> removeFlatFaces(
-  EditStore& store, const ObjectiveSpec& spec, Execution& execution);
+  EditStore& store, const EditRules& rules, Execution& execution);
 
 }

@@ -274,7 +274,7 @@ std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, E
   });
   if (!spec.improves())
   {
-    append(edits, removeFlatFaces(store, general.rules.spec, execution));
+    append(edits, removeFlatFaces(store, general.rules, execution));
     return edits;
   }
   pay();
@@ -303,7 +303,7 @@ std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, E
     endAll(store, loops, execution, edits);
   }
   separateNodes(store, execution);
-  append(edits, removeFlatFaces(store, general.rules.spec, execution));
+  append(edits, removeFlatFaces(store, general.rules, execution));
   sortAll(edits, execution); // zones end in any order
   return edits;
 }

@@ -23,7 +23,7 @@ std::size_t countFlat(const EditMesh& mesh)
 void removeFrom(EditMesh& mesh)
 {
   Execution execution;
-  removeFlatFaces(mesh.store(), ObjectiveSpec(), execution);
+  removeFlatFaces(mesh.store(), EditRules(), execution);
 }
 
 // Between u and v, a node becomes a corner of f; a flat face closes the gap to what is beyond that edge of the cell.
