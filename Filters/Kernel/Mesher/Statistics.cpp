@@ -200,13 +200,13 @@ private:
     n_.isolatedCells = static_cast<double>(a_.separate.isolatedCells);
   }
 
-  // Each reason for itself.
+  // Each reason for itself, but for pieces at rims: solvers would refuse these too.
   void countRemovals()
   {
     const auto count = [&](RemovalReason reason) {
       return static_cast<double>(countRemoved(a_, reason));
     };
-    n_.refusedCellsRemoved = count(RemovalReason::Refused);
+    n_.refusedCellsRemoved = count(RemovalReason::Refused) + count(RemovalReason::Rim);
     n_.fragmentCellsRemoved = count(RemovalReason::Fragment);
     n_.smallCellsRemoved += count(RemovalReason::Small) -
       static_cast<double>(a_.edits.overlapping.size() + a_.separate.fragments.size());

@@ -54,7 +54,8 @@ TEST(Statistics, CellsLeftOutAreCountedByTheReason)
         }
       }
       const std::map<std::string, double> values = statisticsOf(*assembly);
-      EXPECT_EQ(values.at("RefusedCellsRemoved"), counts[RemovalReason::Refused]);
+      EXPECT_EQ(values.at("RefusedCellsRemoved"),
+        counts[RemovalReason::Refused] + counts[RemovalReason::Rim]);
       EXPECT_EQ(values.at("FragmentCellsRemoved"), counts[RemovalReason::Fragment]);
       EXPECT_GE(values.at("SmallCellsRemoved"), counts[RemovalReason::Small]);
     }
