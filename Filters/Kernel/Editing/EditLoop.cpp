@@ -320,8 +320,12 @@ private:
   {
     switch (proposal.kind)
     {
-      case EditKind::Merge:
       case EditKind::Remove:
+        counts_.edits.push_back(madeEdit(mesh_, proposal.kind, proposal.a));
+        counts_.edits.back().reason =
+          wasRefused(mesh_, proposal.a) ? RemovalReason::Refused : RemovalReason::Small;
+        break;
+      case EditKind::Merge:
       case EditKind::Cut:
         counts_.edits.push_back(madeEdit(mesh_, proposal.kind, proposal.a));
         break;
@@ -417,7 +421,18 @@ MadeEdit madeEdit(const EditMesh& mesh, EditKind kind, std::uint32_t c)
 {
   const EditCell& cell = mesh.cell(c);
   const double level = mesh.level();
-  return { cell.home, kind, kind == EditKind::Remove ? cell.volume / (level * level * level) : 0 };
+  MadeEdit edit{ cell.home, kind };
+  edit.removed = kind == EditKind::Remove ? cell.volume / (level * level * level) : 0;
+  return edit;
+}
+
+bool wasRefused(const EditMesh& mesh, std::uint32_t c)
+{
+  const auto& records = mesh.faceRecords();
+  return std::any_of(records.begin(), records.end(), [&](const auto& record) {
+    const EditFace& was = record.second;
+    return !was.gone && was.fails > 0 && (was.below == c || was.above == c);
+  });
 }
 
 LoopCounts improve(const ZoneTask& task, const LoopSpec& spec, const std::function<void()>& poll)

@@ -3,6 +3,7 @@
 // is made; then what it changed is looked at again.
 #pragma once
 
+#include "Cells/RemovedCell.h"
 #include "Editing/EditZones.h"
 #include "Editing/ProposalTrials.h"
 
@@ -22,18 +23,23 @@ struct LoopSpec
 // Of cells, and of what detail they show.
 struct MadeEdit
 {
-  std::uint32_t home; // the box of the cell
-  EditKind kind;      // Merge, Remove, Cut or Flatten
-  double removed;     // what the cell held, if it was removed, in levels
+  std::uint32_t home;                          // the box of the cell
+  EditKind kind;                               // Merge, Remove, Cut or Flatten
+  double removed = 0;                          // what the cell held, if it was removed, in levels
+  RemovalReason reason = RemovalReason::Small; // ... and why
 
   bool operator<(const MadeEdit& other) const
   {
-    return std::tie(home, kind, removed) < std::tie(other.home, other.kind, other.removed);
+    return std::tie(home, kind, removed, reason) <
+      std::tie(other.home, other.kind, other.removed, other.reason);
   }
 };
 
-// Of the cell that was kept, or is gone.
+// Of the cell that was kept, or is gone. Before the commit.
 MadeEdit madeEdit(const EditMesh& mesh, EditKind kind, std::uint32_t c);
+
+// Whether a face of a cell failed the limits of solvers before the edits since the last commit, which removed the cell.
+bool wasRefused(const EditMesh& mesh, std::uint32_t c);
 
 struct LoopCounts
 {

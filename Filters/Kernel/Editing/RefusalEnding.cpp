@@ -223,7 +223,8 @@ private:
   bool remove(std::uint32_t p)
   {
     const RemovedPiece piece{ mesh_.cell(p).centre, mesh_.cell(p).volume / mesh_.cell(p).box };
-    const MadeEdit edit = madeEdit(mesh_, EditKind::Remove, p);
+    MadeEdit edit = madeEdit(mesh_, EditKind::Remove, p);
+    edit.reason = RemovalReason::Rim;
     if (!mayRemove(p, piece) || isBridge(mesh_, p) ||
       !pieces_.tryEdit(true, [&] { return removeCell(mesh_, p); }))
     {

@@ -4,6 +4,7 @@
 #include "Base/Sorting.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/EditZones.h"
+#include "Editing/FlatFaces.h"
 #include "Editing/NodePlaces.h"
 #include "Editing/RefusalEnding.h"
 #include "Editing/Refusals.h"
@@ -121,9 +122,9 @@ void weighAnew(const ZoneTask& task, const ObjectiveSpec& from, const ObjectiveS
   }
 }
 
-void append(std::vector<MadeEdit>& all, LoopCounts counts)
+void append(std::vector<MadeEdit>& all, const std::vector<MadeEdit>& more)
 {
-  all.insert(all.end(), counts.edits.begin(), counts.edits.end());
+  all.insert(all.end(), more.begin(), more.end());
 }
 
 // Where any face needs it; costs are as before afterwards.
@@ -138,9 +139,9 @@ void improveFailing(const ZoneTask& task, const Loops& loops, const std::functio
     const ObjectiveSpec& thorough = loops.thorough.rules.spec;
     const ObjectiveSpec& last = loops.last.rules.spec;
     weighAnew(task, usual, thorough);
-    append(edits, improve(task, loops.thorough, poll));
+    append(edits, improve(task, loops.thorough, poll).edits);
     weighAnew(task, thorough, last);
-    append(edits, improve(task, loops.last, poll));
+    append(edits, improve(task, loops.last, poll).edits);
     weighAnew(task, last, usual);
   }
 }
@@ -198,7 +199,7 @@ void improveMade(const ZoneTask& task, const Loops& loops, const std::function<v
   if (!poor.empty())
   {
     const ZoneTask again{ task.mesh, poor, task.zone, task.isOver };
-    append(edits, improve(again, loops.general, poll));
+    append(edits, improve(again, loops.general, poll).edits);
     improveFailing(again, loops, poll, edits);
   }
   const std::vector<std::uint32_t> all(mesh.madeCells().begin(), mesh.madeCells().end());
@@ -273,6 +274,7 @@ std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, E
   });
   if (!spec.improves())
   {
+    append(edits, removeFlatFaces(store, general.rules, execution));
     return edits;
   }
   pay();
@@ -284,7 +286,7 @@ std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, E
       {
         takeSmallCells(task, general.rules, false, ofZone); // what edges could not take
       }
-      append(ofZone, improve(task, general, poll));
+      append(ofZone, improve(task, general, poll).edits);
       improveFailing(task, loops, poll, ofZone);
       takeSmallCells(task, general.rules, spec.removesCells, ofZone);
       const std::lock_guard<std::mutex> lock(mutex);
@@ -301,6 +303,7 @@ std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, E
     endAll(store, loops, execution, edits);
   }
   separateNodes(store, execution);
+  append(edits, removeFlatFaces(store, general.rules, execution));
   sortAll(edits, execution); // zones end in any order
   return edits;
 }

@@ -9,6 +9,7 @@
 #include "Cells/OverlappingCells.h"
 #include "Cells/WarpedHexahedra.h"
 #include "Editing/EditableWall.h"
+#include "Editing/FlatFaces.h"
 #include "Editing/WallImprovement.h"
 #include "Faces/BoxRebuilding.h"
 #include "Lattice/Vector.h"
@@ -243,7 +244,7 @@ BoxFlags keepParts(Assembly& a, BoxFlags flawed, const PartsToKeep& which, const
 }
 
 // Returns nothing for one beyond the core: another part reports it.
-std::optional<RemovedCell> remove(Assembly& a, std::uint32_t c)
+std::optional<RemovedCell> remove(Assembly& a, std::uint32_t c, RemovalReason reason)
 {
   Cell& cell = a.wall.cells[c];
   cell.removed = true;
@@ -253,7 +254,7 @@ std::optional<RemovedCell> remove(Assembly& a, std::uint32_t c)
   }
   const Box box = a.boxes.box(cell.box);
   const Vector size = minus(box.high, box.low);
-  return RemovedCell{ cell.box, cell.volumeFraction * size[0] * size[1] * size[2] };
+  return RemovedCell{ cell.box, cell.volumeFraction * size[0] * size[1] * size[2], reason };
 }
 
 // Solvers cannot use overlapping cells, however exactly they represent the surface. If edits have made some
@@ -262,7 +263,7 @@ void removeOverlapping(Assembly& a, Execution& execution)
 {
   for (const std::uint32_t c : overlappingCells(a.boxes, a.nodes.at.size(), a.wall, execution))
   {
-    if (const auto removed = remove(a, c))
+    if (const auto removed = remove(a, c, RemovalReason::Refused))
     {
       a.edits.overlapping.push_back(*removed);
     }
@@ -282,7 +283,7 @@ void removeFragments(Assembly& a, const Options& options, Execution& execution)
       {
         a.separate.isolatedCells += a.boxes.isCore(a.boxes.packed[a.wall.cells[c].box]) ? 1 : 0;
       }
-      else if (const auto removed = remove(a, c))
+      else if (const auto removed = remove(a, c, RemovalReason::Fragment))
       {
         a.separate.fragments.push_back(*removed);
       }
@@ -302,7 +303,7 @@ void count(Assembly& a, const std::vector<MadeEdit>& edits)
       a.edits.simplified += edit.kind == EditKind::Flatten ? 1 : 0;
       if (edit.kind == EditKind::Remove)
       {
-        a.edits.removed.push_back({ edit.home, edit.removed });
+        a.edits.removed.push_back({ edit.home, edit.removed, edit.reason });
       }
     }
   }
@@ -377,7 +378,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   a.patches.forgetPolygons();
   removeOverlapping(a, execution);
   makeInterfaces(a.patches.walls, a.wall);
-  if (editsWall(options))
+  if (editsWall(options) || hasFlatFaces(a.nodes, a.wall, execution))
   {
     editWall(a, options, layers, execution);
   }
@@ -403,6 +404,17 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
     MeshParts{ a.boxes, a.patches, a.sides, a.nodes, a.wall }, execution);
   requireCells(a, options);
   return assembly;
+}
+
+std::size_t countRemoved(const Assembly& a, RemovalReason reason)
+{
+  std::size_t count = 0;
+  for (const auto* cells : { &a.edits.removed, &a.edits.overlapping, &a.separate.fragments })
+  {
+    count += static_cast<std::size_t>(std::count_if(cells->begin(), cells->end(),
+      [&](const RemovedCell& cell) { return cell.reason == reason; }));
+  }
+  return count;
 }
 
 std::vector<std::uint32_t> rebuiltBoxes(const Assembly& a)

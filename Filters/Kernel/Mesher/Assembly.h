@@ -28,7 +28,7 @@ struct CellEdits
 {
   std::size_t split = 0; // cuts
   std::size_t merged = 0;
-  std::vector<RemovedCell> removed; // small ones
+  std::vector<RemovedCell> removed; // by edits of the wall: small ones, and such as solvers refuse
   std::size_t simplified = 0; // they failed: faces were joined at any angle: the paper's IP patches
   std::vector<RemovedCell> overlapping; // they overlapped others as they were cut, and were removed
 };
@@ -55,6 +55,10 @@ struct Assembly
 // a part may have none).
 std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& given,
   Execution& execution, const WallLayerSpec* layers = nullptr, const PartsToKeep& parts = {});
+
+// How many cells of the core were left out for this reason after they were assembled: small ones that never became part of the
+// wall are only marked (Cell::removed).
+std::size_t countRemoved(const Assembly& assembly, RemovalReason reason);
 
 // Boxes of the core whose patches were rebuilt (BoxRebuilding.h).
 std::vector<std::uint32_t> rebuiltBoxes(const Assembly& assembly);

@@ -3,6 +3,7 @@
 
 #include "Mesher/Statistics.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace cartesian
@@ -47,6 +48,25 @@ double shareLeftOut(const Assembly& a)
   const std::vector<double> regions = regionVolumes(a);
   const double lost = volumeLeftOut(a);
   return lost > 0 ? lost / std::accumulate(regions.begin(), regions.end(), lost) : 0;
+}
+
+LeftOutAtRims leftOutAtRims(const Assembly& a)
+{
+  LeftOutAtRims all;
+  double most = 0;
+  for (const RemovedCell& cell : a.edits.removed)
+  {
+    if (cell.reason != RemovalReason::Rim)
+    {
+      continue;
+    }
+    const double boxes = cell.volume / volumeOf(a.boxes.box(cell.box));
+    all.largest = boxes > most ? cell.box : all.largest;
+    most = std::max(most, boxes);
+    all.boxes += boxes;
+    ++all.pieces;
+  }
+  return all;
 }
 
 }

@@ -22,4 +22,14 @@ std::vector<CellLeftOut> cellsLeftOut(const Assembly& assembly);
 double volumeLeftOut(const Assembly& assembly);
 double shareLeftOut(const Assembly& assembly);
 
+// Pieces of cells that the last step of the edits of the wall left out.
+struct LeftOutAtRims
+{
+  std::size_t pieces = 0;
+  double boxes = 0;          // their volume by those of the boxes that they lay in
+  std::uint32_t largest = 0; // the box of the largest, by that measure
+};
+
+LeftOutAtRims leftOutAtRims(const Assembly& assembly);
+
 }

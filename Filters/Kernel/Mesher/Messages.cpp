@@ -20,6 +20,9 @@ namespace
 // A warning is given if more than this part of a mesh's volume is left out.
 constexpr double LargestLossUntold = 1e-3;
 
+// Of what is left out at rims of thin things, from here on: boxes.
+constexpr double LeastAtRimsTold = 0.1;
+
 // Planes are shifted by a few levels: values next to 0 are written as 0.
 std::string position(const Lattice& lattice, const Point& p)
 {
@@ -285,6 +288,27 @@ std::string describeLeftOut(const Assembly& a, const std::map<std::int32_t, std:
     places(a.boxes, boxes);
 }
 
+std::string describeRims(const Assembly& a)
+{
+  const LeftOutAtRims rims = leftOutAtRims(a);
+  if (rims.boxes < LeastAtRimsTold)
+  {
+    return "";
+  }
+  const Box box = a.boxes.box(rims.largest);
+  Point middle{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    middle[axis] = box.low[axis] + (box.high[axis] - box.low[axis]) / 2;
+  }
+  return "At rims of fins and sheets " +
+    counted(rims.pieces, "piece of a cell was left out, ", "pieces of cells were left out, ") +
+    number(std::round(rims.boxes * 10) / 10) + " boxes in all (the largest at " +
+    position(a.boxes.lattice, middle) +
+    "): solvers would reject them. Where the shape of these rims matters, use a smaller Cell Size "
+    "or a larger Refinement Depth.";
+}
+
 std::string describeOverlapping(const Assembly& a)
 {
   const std::vector<std::uint32_t>& overlapping = a.overlapping;
@@ -435,6 +459,8 @@ std::string describeFlaws(
   }
   const std::string leftOut = describeLeftOut(assembly, names);
   text += leftOut.empty() ? "" : lineBreak(text) + leftOut;
+  const std::string rims = describeRims(assembly);
+  text += rims.empty() ? "" : lineBreak(text) + rims;
   const std::string overlapping = describeOverlapping(assembly);
   text += overlapping.empty() ? "" : lineBreak(text) + overlapping;
   return text;

@@ -166,7 +166,7 @@ private:
     n_.boxesFlawed = static_cast<double>(flawedBoxes(a_).size());
   }
 
-  // Small and failing ones are all marked as removed: countChanges() separates them.
+  // What was removed for whatever reason before edits, or after them, is marked: countRemovals() separates it.
   void countCells()
   {
     const WallMesh& wall = a_.wall;
@@ -190,17 +190,26 @@ private:
     n_.cellsSplit = static_cast<double>(a_.edits.split);
     n_.cellsWithJoinedFaces = static_cast<double>(a_.edits.simplified);
     n_.smallCellsMerged = static_cast<double>(a_.edits.merged);
-    n_.refusedCellsRemoved = static_cast<double>(a_.edits.overlapping.size());
-    n_.fragmentCellsRemoved = static_cast<double>(a_.separate.fragments.size());
+    countRemovals();
     n_.volumeLeftOut = volumeLeftOut(a_);
     n_.surfaceVolume = a_.patches.surfaceVolume;
     const std::vector<double> volumes = regionVolumes(a_);
     n_.meshVolume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
-    n_.smallCellsRemoved += static_cast<double>(a_.edits.removed.size()) - n_.refusedCellsRemoved -
-      n_.fragmentCellsRemoved;
     n_.sizesRelaxed = a_.relaxation - 1;
     n_.partsLeftOut = static_cast<double>(a_.separate.leftOut);
     n_.isolatedCells = static_cast<double>(a_.separate.isolatedCells);
+  }
+
+  // Each reason for itself, but for pieces at rims: solvers would refuse these too.
+  void countRemovals()
+  {
+    const auto count = [&](RemovalReason reason) {
+      return static_cast<double>(countRemoved(a_, reason));
+    };
+    n_.refusedCellsRemoved = count(RemovalReason::Refused) + count(RemovalReason::Rim);
+    n_.fragmentCellsRemoved = count(RemovalReason::Fragment);
+    n_.smallCellsRemoved += count(RemovalReason::Small) -
+      static_cast<double>(a_.edits.overlapping.size() + a_.separate.fragments.size());
   }
 
   const Assembly& a_;

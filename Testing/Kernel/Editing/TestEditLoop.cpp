@@ -120,6 +120,20 @@ TEST(EditLoop, LeavesNoFaultOfMeshesAtRandom)
   EXPECT_GT(count, int(repeats(30)));
 }
 
+TEST(EditLoop, KnowsWhetherACellThatItRemovedFailed)
+{
+  for (const bool fails : { false, true })
+  {
+    EditMesh mesh = meshOfBoxes(blockOfBoxes(3, 1, 1));
+    mesh.rawFace(faceBetween(mesh, 1, 2)).fails = fails ? 1 : 0;
+    const EditMesh::Mark mark = mesh.mark();
+    EXPECT_FALSE(wasRefused(mesh, 2)); // it is still there
+    ASSERT_TRUE(removeCell(mesh, 2));
+    EXPECT_EQ(wasRefused(mesh, 2), fails);
+    mesh.undo(mark);
+  }
+}
+
 TEST(EditLoop, LeavesCubesAlone)
 {
   EditMesh mesh = meshOfBoxes(blockOfBoxes(3, 3, 3));

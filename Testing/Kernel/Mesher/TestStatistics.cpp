@@ -27,6 +27,43 @@ TEST(Statistics, FitTogether)
     values.at("BoxesIntersected"));
 }
 
+// What edits remove is small, or failed: thin teeth that are cut askew, and boxes that touch in corners.
+TEST(Statistics, CellsLeftOutAreCountedByTheReason)
+{
+  std::map<RemovalReason, double> all;
+  for (const NamedShape& shape : cleanShapes())
+  {
+    if (shape.name != "CombTurned" && shape.name != "BoxesTouchingInCorners")
+    {
+      continue;
+    }
+    for (const double cells : { 6.0, 12.0 })
+    {
+      TestOptions options;
+      options.grid = cellsAlongLongest(shape.soup, cells);
+      Execution execution;
+      const auto assembly = mesh(shape.soup.view(), options, execution);
+      std::map<RemovalReason, double> counts;
+      for (const auto* list :
+        { &assembly->edits.removed, &assembly->edits.overlapping, &assembly->separate.fragments })
+      {
+        for (const RemovedCell& cell : *list)
+        {
+          ++counts[cell.reason];
+          ++all[cell.reason];
+        }
+      }
+      const std::map<std::string, double> values = statisticsOf(*assembly);
+      EXPECT_EQ(values.at("RefusedCellsRemoved"),
+        counts[RemovalReason::Refused] + counts[RemovalReason::Rim]);
+      EXPECT_EQ(values.at("FragmentCellsRemoved"), counts[RemovalReason::Fragment]);
+      EXPECT_GE(values.at("SmallCellsRemoved"), counts[RemovalReason::Small]);
+    }
+  }
+  EXPECT_GT(all[RemovalReason::Small], 0);
+  EXPECT_GT(all[RemovalReason::Refused], 0);
+}
+
 TEST(Statistics, AMeshInOneCallIsThatOfTheStages)
 {
   const Soup soup = sphere(12, 1);
