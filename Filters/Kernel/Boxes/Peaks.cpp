@@ -197,7 +197,8 @@ WallAreas areasOfPeak(Iterator begin, Iterator end, const Heights& heights, cons
   return areas;
 }
 
-// Around vertices for which `isNear` is 1; in order.
+// Around vertices for which `isNear` is 1; in order. Not of sheets: beside a plane that both sides of a sheet are nearer to
+// than points of patches may be, both would move to the same place (BoxSurface.h), and cancel.
 std::vector<Around> trianglesAround(
   const Surface& surface, const std::vector<std::uint8_t>& isNear, Execution& execution)
 {
@@ -208,8 +209,9 @@ std::vector<Around> trianglesAround(
     for (std::size_t t = begin; t < end; ++t)
     {
       const auto& corners = surface.triangles[t];
-      const bool isOriented = surface.byParity.empty() || surface.byParity[t] == 0;
-      for (std::size_t i = 0; i < 3 && isOriented; ++i)
+      const bool counts =
+        (surface.byParity.empty() || surface.byParity[t] == 0) && !surface.isOfSheet(t);
+      for (std::size_t i = 0; i < 3 && counts; ++i)
       {
         if (isNear[corners[i]] == 0)
         {
