@@ -11,8 +11,8 @@
  * from 1), VolumeFraction (double: volume by that of the cell's box; beyond 1 after merging). Field data: the
  * statistics, one array of one number each (Cells, Hexahedra, Polyhedra, Points, BoundaryFaces, BoxesInside,
  * BoxesIntersected, BoxesByExactFit, BoxesRebuilt, BoxesFlawed, Patches, SmallCellsRemoved, SmallCellsMerged,
- * CellsSplit, CellsWithJoinedFaces (faces joined across any angle), RefusedCellsRemoved (failing cells of any size),
- * FragmentCellsRemoved (cut off by the grid), IsolatedCells, VoidsInsideCells, FoldsLeftOut), and numbers of cells as
+ * CellsSplit, CellsWithJoinedFaces (faces joined across any angle), RefusedCellsRemoved (failing cells
+ * and pieces of any size), FragmentCellsRemoved (cut off by the grid), IsolatedCells, VoidsInsideCells, FoldsLeftOut), and numbers of cells as
  * in vtkFiniteVolumeQuality: BoundaryAngleFailures, InnerAngleFailures, OpennessFailures, VolumeFailures. For
  * vtkPolyMeshWriter: cell array CellId (number of the cell) and field data array BoundaryOfFaces (components Cell,
  * Face, BoundaryId: a row for each boundary face).

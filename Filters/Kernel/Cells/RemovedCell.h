@@ -9,9 +9,9 @@ namespace cartesian
 // Why a cell is left out: counted by its reason (Mesher/Statistics), all are among the cells left out (Defects).
 enum class RemovalReason : std::uint8_t
 {
-  Small,    // next to its box, and no neighbour can take it (section 4.10)
-  Refused,  // by solvers: it overlaps others, or has a face that fails their limits, and nothing else helps (4.11)
-  Rim,      // by solvers too: a piece of a cell around the rim of something thin (Editing/RefusalEnding)
+  Small,   // next to its box, and no neighbour can take it (section 4.10)
+  Refused, // by solvers: it overlaps others, or has a face that fails their limits, and nothing else helps (4.11)
+  Rim, // by solvers too: a piece of a cell around the rim of something thin (Editing/RefusalEnding)
   Fragment, // the grid cuts it off from the rest
 };
 

@@ -200,7 +200,7 @@ private:
     n_.isolatedCells = static_cast<double>(a_.separate.isolatedCells);
   }
 
-  // Each reason for itself, but for pieces at rims: solvers would refuse these too.
+  // Each reason for itself; pieces at rims count as refused.
   void countRemovals()
   {
     const auto count = [&](RemovalReason reason) {

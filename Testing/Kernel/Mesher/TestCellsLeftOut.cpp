@@ -51,8 +51,7 @@ TEST(CellsLeftOut, AtRimsAreToldInALine)
   options.grid.meshlines = { std::vector<double>{ 0, 1, 2, 3, 4 }, std::vector<double>{ 0, 1, 2 },
     std::vector<double>{ 0, 1, 2 } };
   Execution execution;
-  const auto assembly =
-    mesh(box({ 0.5, 0.5, 0.5 }, { 3.5, 1.5, 1.5 }).view(), options, execution);
+  const auto assembly = mesh(box({ 0.5, 0.5, 0.5 }, { 3.5, 1.5, 1.5 }).view(), options, execution);
   std::vector<RemovedCell>& removed = assembly->edits.removed;
   removed.clear();
   const auto boxAt = [&](const Point& corner) {
