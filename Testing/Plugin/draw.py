@@ -162,6 +162,17 @@ def draw_adaptation(folder):
     picture("adaptation.png", view, [0.2, 1, 0.15])
 
 
+def close_up(name, view, place, distance, scale):
+    """Of a section across y, seen from its front."""
+    view.CameraParallelProjection = 1
+    picture(name, view, [0, -1, 0], 1, [500, 400])
+    camera = simple.GetActiveCamera()
+    camera.SetFocalPoint(*place)
+    camera.SetPosition(place[0], place[1] - distance, place[2])
+    view.CameraParallelScale = scale
+    simple.SaveScreenshot(str(name), view)
+
+
 def draw_slices(folder):
     """The same cells at the header's wall, by ParaView's Slice and by Slice Polyhedra."""
     mesher = simple.CartesianMesher(Input=simple.OpenDataFile(str(DATA / "kcl_exhaust_header_lumens.stl")), CellSize=8)
@@ -175,13 +186,7 @@ def draw_slices(folder):
         display.SetScalarBarVisibility(view, False)
         display.DiffuseColor, display.LineWidth = [0.75, 0.85, 0.95], 2
         parts.append(folder / f"{number}.png")
-        view.CameraParallelProjection = 1
-        picture(parts[-1], view, [0, -1, 0], 1, [500, 400])
-        camera = simple.GetActiveCamera()
-        camera.SetFocalPoint(*CUT)
-        camera.SetPosition(CUT[0], CUT[1] - 300, CUT[2])
-        view.CameraParallelScale = 24
-        simple.SaveScreenshot(str(parts[-1]), view)
+        close_up(parts[-1], view, CUT, 300, 24)
     joined("slices.png", parts)
 
 
@@ -203,13 +208,7 @@ def draw_rims(folder):
         edges.ColorArrayName, edges.DiffuseColor, edges.LineWidth = ["CELLS", ""], [0.3, 0.3, 0.3], 2
         edges.Position = [0, -0.005, 0]  # before it
         parts.append(folder / f"{number}.png")
-        view.CameraParallelProjection = 1
-        picture(parts[-1], view, [0, -1, 0], 1, [500, 400])
-        camera = simple.GetActiveCamera()
-        camera.SetFocalPoint(*RIM)
-        camera.SetPosition(RIM[0], RIM[1] - 3, RIM[2])
-        view.CameraParallelScale = 0.2
-        simple.SaveScreenshot(str(parts[-1]), view)
+        close_up(parts[-1], view, RIM, 3, 0.2)
     joined("rims.png", parts)
 
 

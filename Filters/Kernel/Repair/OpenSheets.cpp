@@ -42,7 +42,7 @@ struct Piece
 {
   std::vector<std::uint32_t> triangles;
   std::vector<std::array<std::uint32_t, 2>> rim; // such edges
-  double area = 0;                               // levels
+  double area = 0;                               // levels squared
   bool isSheet = false;
 
   double crack() const { return Crack * std::sqrt(area); }

@@ -22,7 +22,7 @@ struct OpenSheet
 {
   std::uint32_t triangle; // its first one
   std::int32_t boundary;  // of that
-  double area;            // levels
+  double area;            // levels squared
   Vector place;           // of that triangle, levels
 };
 
