@@ -223,16 +223,43 @@ private:
   bool remove(std::uint32_t p)
   {
     const RemovedPiece piece{ mesh_.cell(p).centre, mesh_.cell(p).volume / mesh_.cell(p).box };
-    MadeEdit edit = madeEdit(mesh_, EditKind::Remove, p);
-    edit.reason = RemovalReason::Rim;
-    if (!mayRemove(p, piece) || isBridge(mesh_, p) ||
-      !pieces_.tryEdit(true, [&] { return removeCell(mesh_, p); }))
+    const std::vector<std::uint32_t> cells = withFlapsBeside(p);
+    std::vector<MadeEdit> edits;
+    for (const std::uint32_t c : cells)
+    {
+      edits.push_back(madeEdit(mesh_, EditKind::Remove, c));
+      edits.back().reason = RemovalReason::Rim;
+    }
+    const auto removeAll = [&] {
+      return std::all_of(
+        cells.begin(), cells.end(), [&](std::uint32_t c) { return removeCell(mesh_, c); });
+    };
+    if (!mayRemove(p, piece) || isBridge(mesh_, p) || !pieces_.tryEdit(true, removeAll))
     {
       return false;
     }
     removed_.push_back(piece);
-    made_.push_back(edit);
+    made_.insert(made_.end(), edits.begin(), edits.end());
     return true;
+  }
+
+  // A piece, and what hangs on it that has nothing between its walls: that is no cell by itself.
+  std::vector<std::uint32_t> withFlapsBeside(std::uint32_t p) const
+  {
+    std::vector<std::uint32_t> cells{ p };
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      for (const std::uint32_t f : mesh_.facesOf(cells[i]))
+      {
+        const std::uint32_t other = mesh_.beyond(f, cells[i]);
+        if (!mesh_.isSurface(f) && hasNoVolume(mesh_, other) &&
+          std::find(cells.begin(), cells.end(), other) == cells.end())
+        {
+          cells.push_back(other);
+        }
+      }
+    }
+    return cells;
   }
 
   bool mayRemove(std::uint32_t p, const RemovedPiece& piece) const

@@ -135,7 +135,7 @@ std::vector<std::uint32_t> RefusedPieces::refused() const
 {
   std::vector<std::uint32_t> refused;
   std::copy_if(pieces_.begin(), pieces_.end(), std::back_inserter(refused), [&](std::uint32_t p) {
-    return mesh_.isFree(p) && (hasInverted(mesh_, p) || isLong(mesh_, p));
+    return mesh_.isFree(p) && (hasInverted(mesh_, p) || isDegenerate(mesh_, p));
   });
   return refused;
 }

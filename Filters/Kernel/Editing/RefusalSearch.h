@@ -38,7 +38,7 @@ public:
   bool contains(std::uint32_t c) const;
   std::size_t size() const { return pieces_.size(); }
 
-  // The pieces that have inverted faces, or are long.
+  // The pieces that have inverted faces, or are degenerate.
   std::vector<std::uint32_t> refused() const;
 
   // That with most of them, then of skew ones, or None.

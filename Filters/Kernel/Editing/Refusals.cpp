@@ -15,6 +15,8 @@ namespace
 // Volumes that differ by less, by their sum, are the same.
 constexpr double SameVolume = 1e-9;
 
+constexpr std::size_t LeastFaces = 4; // of a polyhedron
+
 bool isFacingAway(const EditMesh& mesh, std::uint32_t f)
 {
   const EditFace& face = mesh.face(f);
@@ -33,6 +35,25 @@ bool hasLargeNear(const EditMesh& mesh, std::uint32_t c)
         mesh.cell(other).volume >= Large * mesh.cell(other).box);
   });
   return isAny;
+}
+
+// By checkMesh's aspect ratio. Not cells of films where all is as thin, unless there is nothing between their walls.
+bool isLong(const EditMesh& mesh, std::uint32_t c)
+{
+  constexpr double Most = 0.9 * Limits::AspectRatio; // programs do not agree on areas
+  Vector sum{};
+  for (const std::uint32_t f : mesh.facesOf(c))
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      sum[k] += std::abs(mesh.face(f).area[k]);
+    }
+  }
+  const auto [least, most] = std::minmax_element(sum.begin(), sum.end());
+  const double hull = (sum[0] + sum[1] + sum[2]) / 6;
+  const double edge = std::cbrt(mesh.cell(c).volume);
+  return (!(*most < Most * *least) || !(hull < Most * edge * edge)) &&
+    (hasNoVolume(mesh, c) || hasLargeNear(mesh, c));
 }
 
 }
@@ -61,28 +82,22 @@ Refusals refusalsOf(const EditMesh& mesh, const std::vector<std::uint32_t>& cell
   {
     if (!mesh.cell(c).gone)
     {
-      sum.skew += isLong(mesh, c) ? 1 : 0;
+      sum.skew += isDegenerate(mesh, c) ? 1 : 0;
       sum.volume += hasInverted(mesh, c) ? mesh.cell(c).volume : 0;
     }
   }
   return sum;
 }
 
-bool isLong(const EditMesh& mesh, std::uint32_t c)
+bool hasNoVolume(const EditMesh& mesh, std::uint32_t c)
 {
-  constexpr double Most = 0.9 * Limits::AspectRatio; // programs do not agree on areas
-  Vector sum{};
-  for (const std::uint32_t f : mesh.facesOf(c))
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      sum[k] += std::abs(mesh.face(f).area[k]);
-    }
-  }
-  const auto [least, most] = std::minmax_element(sum.begin(), sum.end());
-  const double hull = (sum[0] + sum[1] + sum[2]) / 6;
-  const double edge = std::cbrt(mesh.cell(c).volume);
-  return (!(*most < Most * *least) || !(hull < Most * edge * edge)) && hasLargeNear(mesh, c);
+  constexpr double Most = 1e-4; // of its box: no body is meant that is as thin
+  return mesh.cell(c).volume < Most * mesh.cell(c).box;
+}
+
+bool isDegenerate(const EditMesh& mesh, std::uint32_t c)
+{
+  return mesh.facesOf(c).size() < LeastFaces || isLong(mesh, c);
 }
 
 bool isInvertedFrom(const EditMesh& mesh, std::uint32_t f, std::uint32_t c)
@@ -106,7 +121,7 @@ bool hasInverted(const EditMesh& mesh, std::uint32_t c)
 bool isRefused(const EditMesh& mesh, std::uint32_t c)
 {
   const Items faces = mesh.facesOf(c);
-  return isLong(mesh, c) || std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+  return isDegenerate(mesh, c) || std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
     return mesh.face(f).skew || isInvertedFrom(mesh, f, c);
   });
 }
@@ -121,7 +136,7 @@ Refusals refusalsIn(const EditMesh& mesh, std::uint32_t c)
     sum.inverted += int(!((face.below == c ? out : -out) > 0)) + int(isFacingAway(mesh, f));
     sum.skew += face.skew ? 1 : 0;
   }
-  sum.skew += isLong(mesh, c) ? 1 : 0;
+  sum.skew += isDegenerate(mesh, c) ? 1 : 0;
   return sum;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What solvers refuse (checkMesh): faces that are inverted as seen from a cell, faces too skew, cells too long. The second
+// What solvers refuse (checkMesh): faces that are inverted as seen from a cell, faces too skew, degenerate cells. The second
 // rule by which edits are decided, beside EditDecision.h: of the last step alone (RefusalEnding.h), which asks for no gain.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace cartesian
 struct Refusals
 {
   int inverted = 0;  // sides of faces
-  int skew = 0;      // faces too skew, and cells too long
+  int skew = 0;      // faces too skew, and degenerate cells
   double volume = 0; // of the cells that have inverted sides
   int poor = 0;      // limits of section 3, and checkMesh's (EditFace::fails)
 
@@ -25,15 +25,18 @@ struct Refusals
   }
 };
 
-// Of the mesh around some cells, in all that changed; of these cells alone, which are there, those that are long.
+// Of the mesh around some cells, in all that changed; of these cells alone, which are there, those that are degenerate.
 Refusals refusalsOf(const EditMesh& mesh, const std::vector<std::uint32_t>& cells);
 
 // Whether a side of a face is inverted as its cell sees it, or the face as its cells see each other.
 bool isInvertedFrom(const EditMesh& mesh, std::uint32_t f, std::uint32_t c);
 bool hasInverted(const EditMesh& mesh, std::uint32_t c);
 
-// By checkMesh's aspect ratio; but not where all is as thin.
-bool isLong(const EditMesh& mesh, std::uint32_t c);
+// Whether there is nothing between its walls.
+bool hasNoVolume(const EditMesh& mesh, std::uint32_t c);
+
+// Of fewer faces than a polyhedron has, or too long; but not where all is as thin.
+bool isDegenerate(const EditMesh& mesh, std::uint32_t c);
 
 // Whether checkMesh refuses a cell, or one of its faces.
 bool isRefused(const EditMesh& mesh, std::uint32_t c);

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace cartesian
 {
 
@@ -87,6 +89,36 @@ TEST(Refusals, GoodCellsStayAsTheyAre)
   EXPECT_EQ(invertedSides(mesh), 0);
   EXPECT_TRUE(endAll(mesh).empty());
   EXPECT_EQ(differenceOf(mesh, before), "");
+}
+
+// Two flaps with nothing between their walls hang on a wedge, one on the other: neither may be left alone.
+TEST(Refusals, FlapsGoWithWhatHangsOnThem)
+{
+  constexpr double Thickness = 1e-6;
+  TestMeshSpec spec;
+  spec.place = [](const Vector& p) {
+    return Vector{ p[0], p[1], p[0] < 2 ? p[2] : Thickness * p[2] };
+  };
+  EditMesh mesh = meshOfBoxes(blockOfBoxes(4, 1, 1), spec);
+  const auto flaps = [&] {
+    const std::vector<std::uint32_t> cells = allCells(mesh);
+    return std::count_if(cells.begin(), cells.end(), [&](std::uint32_t c) {
+      EXPECT_EQ(hasNoVolume(mesh, c), isDegenerate(mesh, c));
+      return hasNoVolume(mesh, c);
+    });
+  };
+  ASSERT_EQ(flaps(), 2);
+  EditRules rules;
+  rules.mostMerged = 0; // by volume, they could go to their neighbours
+  const std::vector<MadeEdit> edits = endAll(mesh, rules);
+  EXPECT_EQ(flaps(), 0);
+  EXPECT_EQ(faultOf(mesh), "");
+  EXPECT_NEAR(volumeOf(mesh), 1.5, 3 * Thickness);
+  EXPECT_EQ(std::count_if(edits.begin(), edits.end(),
+              [](const MadeEdit& edit) {
+                return edit.kind == EditKind::Remove && edit.reason == RemovalReason::Rim;
+              }),
+    2);
 }
 
 TEST(Refusals, WithoutCutsMergesAndRemovalOnlyFacesAreJoined)
