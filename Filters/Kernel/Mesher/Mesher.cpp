@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cartesian
 {
@@ -162,6 +163,35 @@ std::map<std::int32_t, std::size_t> countsOf(const std::vector<std::int32_t>& bo
   return counts;
 }
 
+// Of the smallest boxes, in user units.
+double smallestBoxSide(const PreparedSurface& prepared, const Options& options)
+{
+  Level least = std::numeric_limits<Level>::max();
+  for (const std::vector<Level>& lines : prepared.planes)
+  {
+    for (std::size_t i = 1; i < lines.size(); ++i)
+    {
+      least = std::min(least, lines[i] - lines[i - 1]);
+    }
+  }
+  return std::ldexp(double(least) * prepared.surface.lattice.step(), -options.refinement.deepest());
+}
+
+// Lids on a sheet that is all that there is would leave a film.
+void requireSpace(const PreparedSurface& prepared, const Options& options)
+{
+  constexpr double ThinnestBody = 0.05; // in the mean, of a box's side
+  const Surface& surface = prepared.surface;
+  const bool isOneSheet = prepared.openSheets.boundNothing > 0 && surface.region.empty();
+  if (isOneSheet &&
+    2 * volumeOf(surface) < ThinnestBody * smallestBoxSide(prepared, options) * areaOf(surface))
+  {
+    throw Error(Fault::FlawedSurface,
+      "There is nothing to mesh: the surface is an open sheet, which encloses no volume. Add the "
+      "walls around it, or set Domain to Outside to mesh the space around it.");
+  }
+}
+
 // Orients the surface so that the meshed side is inside.
 void chooseDomain(const DomainSpec& domain, PreparedSurface& prepared)
 {
@@ -225,6 +255,7 @@ PreparedSurface prepareSurface(
 {
   PreparedSurface prepared = placeOnGrid(view, options, execution, parts);
   separate(prepared, view, options, execution);
+  requireSpace(prepared, options);
   chooseDomain(options.domain, prepared);
   if (options.layers.any())
   {

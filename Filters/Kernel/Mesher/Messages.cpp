@@ -210,9 +210,8 @@ std::string describeOpenSheets(
     ? ""
     : counted(sheets.boundNothing, "open surface looks like a sheet, but is",
         "open surfaces look like sheets, but are") +
-      " all that there is, and so closed by lids, which leaves nothing to mesh: add the walls "
-      "around, or set Domain to "
-      "Outside to mesh the space around.";
+      " all that there is, and so closed by lids: add the walls around, or set Domain to Outside "
+      "to mesh the space around.";
   if (sheets.all.empty())
   {
     return text;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 using namespace cartesian;
 
@@ -338,11 +339,46 @@ TEST(OpenSheets, MayStandOnWalls)
   }
 }
 
+std::optional<Fault> errorOf(const Soup& soup)
+{
+  try
+  {
+    meshOf(soup, cellsOf(0.25), {});
+  }
+  catch (const Error& error)
+  {
+    return error.fault;
+  }
+  return std::nullopt;
+}
+
+Soup dome(double height)
+{
+  return patch(8, [=](double u, double v) {
+    return Vector{ u, v, height * 16 * u * (1 - u) * v * (1 - v) };
+  });
+}
+
 TEST(OpenSheets, BoundNothingAlone)
 {
-  const OpenSheets sheets = found(plate(), {});
+  const OpenSheets sheets = found(dome(0.3), {});
   EXPECT_TRUE(sheets.all.empty());
   EXPECT_EQ(sheets.boundNothing, 1U);
+}
+
+// Flat or nearly so, there is an error; a dome is closed by a lid.
+TEST(OpenSheets, AreNothingToMeshAlone)
+{
+  for (const double height : { 0.0, 0.001 })
+  {
+    for (const Soup& soup : turns(dome(height)))
+    {
+      EXPECT_EQ(errorOf(soup), Fault::FlawedSurface);
+    }
+  }
+  const Meshed meshed = meshOf(dome(0.3), cellsOf(0.25), {});
+  EXPECT_TRUE(isValid(meshed.mesh, true));
+  EXPECT_GT(volumeOf(meshed.mesh), 0.1);
 }
 
 TEST(OpenSheets, DoNotDependOnThreadsOrTheOrderOfTriangles)
