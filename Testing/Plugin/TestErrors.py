@@ -145,6 +145,7 @@ for name, turned, volume, parts in (
 partial(read("tm_not_convex.obj"), "12 edges shared by more than two triangles", "non-manifold edge")
 refused(producer(polydata(points, triangles[:1])), FLAWED_SURFACE, "nothing to mesh", "3 open edges")
 refused(producer(polydata(points, [(0, 1, 2), (0, 2, 1)])), FLAWED_SURFACE, "encloses no volume")
+refused(simple.Plane(XResolution=4), FLAWED_SURFACE, "open sheet", "10 open edges", "Domain to Outside")
 refused(producer(polydata(points, [(0, 1, 1)])), FLAWED_SURFACE, "encloses no volume")
 wing = simple.CartesianMesher(Input=read("HD_airframe_aileron_gap.stl"))
 assert check(wing, 0, "8 open edges", "does not close").GetNumberOfCells() > 500

@@ -45,7 +45,7 @@ public:
   void end(std::uint32_t c, std::vector<MadeEdit>& edits)
   {
     const Refusals before = pieces_.begin(c);
-    if (!takeApart(c).isLessThan(before))
+    if (!takeApart(c, before).isLessThan(before))
     {
       undo();
       mesh_.commit();
@@ -82,7 +82,7 @@ private:
   };
 
   // Where much would go, or something stays refused, a wider search is tried, and to halve pieces.
-  Outcome takeApart(std::uint32_t c)
+  Outcome takeApart(std::uint32_t c, const Refusals& refused)
   {
     removedBefore_ = removed_.size();
     mark_ = mesh_.mark();
@@ -105,12 +105,18 @@ private:
     }
     undo();
     const Outcome halved = attempt(c, plan, true);
-    if (halved < best)
+    if (halved < best && halved.isLessThan(refused))
     {
       return halved;
     }
     undo();
-    return attempt(c, plan, false);
+    const Outcome planned = attempt(c, plan, false);
+    if (planned.isLessThan(refused))
+    {
+      return planned;
+    }
+    undo();
+    return attempt(c, {}, false); // as it is
   }
 
   bool isGood(const Outcome& outcome) const

@@ -187,8 +187,10 @@ void requireSpace(const PreparedSurface& prepared, const Options& options)
     2 * volumeOf(surface) < ThinnestBody * smallestBoxSide(prepared, options) * areaOf(surface))
   {
     throw Error(Fault::FlawedSurface,
-      "There is nothing to mesh: the surface is an open sheet, which encloses no volume. Add the "
-      "walls around it, or set Domain to Outside to mesh the space around it.");
+      "There is nothing to mesh: the surface is an open sheet, with " +
+        std::to_string(prepared.repair.check.openEdges) +
+        " open edges, and encloses no volume. Add the walls around it, or set Domain to Outside to "
+        "mesh the space around it.");
   }
 }
 
