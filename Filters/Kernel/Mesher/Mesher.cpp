@@ -257,7 +257,6 @@ PreparedSurface prepareSurface(
 {
   PreparedSurface prepared = placeOnGrid(view, options, execution, parts);
   separate(prepared, view, options, execution);
-  requireSpace(prepared, options);
   chooseDomain(options.domain, prepared);
   if (options.layers.any())
   {
@@ -294,6 +293,7 @@ Patches makePatches(const PreparedSurface& prepared, const Decomposition& decomp
 std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   const Decomposition& decomposition, Layers core, const Options& options, Execution& execution)
 {
+  requireSpace(prepared, options);
   const PartsToKeep parts{ prepared.keepPoints, prepared.isEnclosed };
   Boxes boxes = decomposition.boxes(core, execution);
   const MeshEstimate estimate = decomposition.together(

@@ -52,7 +52,7 @@ struct PreparedSurface
 
 // Scaling, Dual Levels, check and repair of the surface. `parts`: how many the mesh is made in, each of which
 // may take as much memory as the options allow. Throws Error: EmptySurface, BadCoordinate,
-// BadCellSize, BadMeshlines, TooManyBoxes, FlawedSurface (an open sheet that is all there is).
+// BadCellSize, BadMeshlines, TooManyBoxes.
 PreparedSurface prepareSurface(
   const SurfaceView& view, const Options& options, Execution& execution, int parts = 1);
 
