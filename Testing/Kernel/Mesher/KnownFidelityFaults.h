@@ -96,15 +96,15 @@ inline const std::map<std::string, std::string> KnownFidelityFaults{
   { "TinyAndFarAway, outside, 1/10, by 10, 20, 30", "leaning" },
   { "TinyAndFarAway, outside, 1/25, by 10, 20, 30", "leaning" },
   { "Flat, inside, 1/10, as it is", "volume" },
-  { "Flat, inside, 1/10, by 20", "area distance edges volume" },
+  { "Flat, inside, 1/10, by 20", "volume" },
   { "Flat, inside, 1/10, by 10, 20, 30", "volume" },
-  { "Flat, inside, 1/10, by any angles", "volume" },
-  { "Flat, inside, 1/25, by 10, 20, 30", "area volume" },
-  { "Flat, outside, 1/10, as it is", "area volume" },
-  { "Flat, outside, 1/10, by 20", "area volume" },
-  { "Flat, outside, 1/10, by 10, 20, 30", "area distance leaning volume" },
-  { "Flat, outside, 1/10, by any angles", "volume" },
-  { "Flat, outside, 1/25, by 10, 20, 30", "volume" },
+  { "Flat, inside, 1/10, by any angles", "area distance edges leaning volume" },
+  { "Flat, inside, 1/25, by 10, 20, 30", "area distance edges leaning volume" },
+  { "Flat, outside, 1/10, as it is", "volume" },
+  { "Flat, outside, 1/10, by 20", "leaning volume" },
+  { "Flat, outside, 1/10, by 10, 20, 30", "area volume" },
+  { "Flat, outside, 1/10, by any angles", "area distance edges leaning volume" },
+  { "Flat, outside, 1/25, by 10, 20, 30", "area distance leaning volume" },
 };
 
 }

@@ -513,7 +513,7 @@ const std::vector<NamedShape>& cleanShapes()
     { "Tiny", bumpySphere(3, 5).scaled(1e-6) },
     { "TinyAndFarAway", sphere(4, 1e-6).moved({ 1, 2, 3 }) },
     { "Huge", cube().turned().scaled(1e9) },
-    { "Flat", sphere(5, 1).scaled({ 1, 1, 1e-7 }) },
+    { "Flat", sphere(5, 1).scaled({ 1, 1, 1e-3 }) },
   };
   return shapes;
 }
