@@ -120,7 +120,7 @@ private:
     }
     for (const std::uint32_t f : faces)
     {
-      faces_.add(f);
+      faces_.push(f);
       for (const std::uint32_t n : mesh_.cornersOf(f))
       {
         const double distance = dot(minus(mesh_.node(n).at, plane_.through), plane_.normal);
@@ -189,7 +189,10 @@ private:
     FixedList<std::uint32_t, MostFaces> around;
     for (const std::uint32_t f : mesh_.facesAround(a))
     {
-      around.add(f);
+      if (!around.add(f))
+      {
+        return false;
+      }
     }
     FixedList<std::uint32_t, MostFaces> divided;
     for (const std::uint32_t f : around)
@@ -201,12 +204,12 @@ private:
       {
         const std::uint32_t p = ring[i];
         const std::uint32_t q = ring[(i + 1) % ring.size()];
-        divided.add(p);
-        if ((p == a && q == b) || (p == b && q == a))
+        const bool isEdge = (p == a && q == b) || (p == b && q == a);
+        if (!divided.add(p) || (isEdge && !divided.add(made)))
         {
-          divided.add(made);
-          hasEdge = true;
+          return false;
         }
+        hasEdge = hasEdge || isEdge;
       }
       if (hasEdge)
       {
@@ -247,7 +250,7 @@ private:
       if (mesh_.isSurface(f) && j < ring.size() &&
         (ring[(j + 1) % ring.size()] == a || ring[(j + ring.size() - 1) % ring.size()] == a))
       {
-        walls.add(f);
+        walls.offer(f); // it matters whether they are two
       }
     }
     if (walls.empty())
@@ -300,8 +303,7 @@ private:
   std::uint32_t divideFace(std::uint32_t f)
   {
     FixedList<Passage, 64> passages;
-    listPassages(f, passages);
-    if (passages.size() < 2 || passages.size() % 2 != 0)
+    if (!listPassages(f, passages) || passages.size() < 2 || passages.size() % 2 != 0)
     {
       return None;
     }
@@ -310,7 +312,8 @@ private:
     return splitFace(mesh_, f, i, j);
   }
 
-  void listPassages(std::uint32_t f, FixedList<Passage, 64>& passages)
+  // False: there are too many.
+  bool listPassages(std::uint32_t f, FixedList<Passage, 64>& passages)
   {
     const Vector line = cross(mesh_.face(f).area, plane_.normal);
     const Items ring = mesh_.cornersOf(f);
@@ -327,11 +330,13 @@ private:
       {
         last = (last + 1) % size;
       }
-      if (before * sides_.at(ring[(last + 1) % size]) < 0)
+      if (before * sides_.at(ring[(last + 1) % size]) < 0 &&
+        !passages.add({ dot(mesh_.node(ring[i]).at, line), i, last }))
       {
-        passages.add({ dot(mesh_.node(ring[i]).at, line), i, last });
+        return false;
       }
     }
+    return true;
   }
 
   std::pair<std::size_t, std::size_t> nearestEnds(
@@ -364,7 +369,7 @@ private:
       const bool isOutward = mesh_.face(f).below == cell_;
       const unsigned sides = sidesOf(f);
       const bool facesAlong = dot(mesh_.face(f).area, plane_.normal) > 0;
-      inFront_.add(sides == 0 ? facesAlong != isOutward : sides == 1);
+      inFront_.push(sides == 0 ? facesAlong != isOutward : sides == 1);
       for (std::size_t k = 0; k < ring.size(); ++k)
       {
         const std::uint32_t p = ring[k];
@@ -478,7 +483,7 @@ private:
       {
         if (cellOf[groupOf(i)] == part)
         {
-          ofPart.add(faces_[i]);
+          ofPart.push(faces_[i]);
         }
       }
       mesh_.setFaces(part, ofPart.data(), ofPart.size());
@@ -512,7 +517,7 @@ private:
       do
       {
         isDone[at] = true;
-        ring.add(section_[at].from);
+        ring.push(section_[at].from);
         at = nextInSection(at);
       } while (at != None && at != i && !isDone[at]);
       if (at != i || ring.size() < 3 || (!plane_.mayLookBack && !(areaOf(ring) > 0)))

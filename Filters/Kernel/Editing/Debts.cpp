@@ -1,30 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/Debts.h"
 
-#include "Editing/FixedList.h"
-
 namespace cartesian
 {
 
 namespace
 {
 
-constexpr std::size_t Most = 256;
-
-// Calls visit(face, what it owed, whether it is there) for the walls that changed, or the faces between regions.
+// Calls visit(face, what it owed, whether it is there) for the walls that changed, or the faces between regions; it may
+// change what they owe.
 template <class Visitor>
 void forEachChanged(const EditMesh& mesh, bool ofWalls, Visitor&& visit)
 {
   const auto isMeant = [&](const EditFace& face) {
     return !face.gone && isSurface(face) && (face.above == None) == ofWalls;
   };
-  FixedList<std::uint32_t, Most> seen;
-  for (const auto& [f, was] : mesh.faceRecords())
+  const std::size_t count = mesh.faceRecords().size();
+  for (std::size_t i = 0; i < count; ++i)
   {
+    const auto& [f, was] = mesh.faceRecords()[i];
     const EditFace& is = mesh.face(f);
     const bool hasMoved = isMeant(was) != isMeant(is) || was.corners.first != is.corners.first ||
       was.centre != is.centre;
-    if (!seen.contains(f) && seen.add(f) && hasMoved)
+    if (hasMoved && mesh.isOldestOfFace(i))
     {
       visit(f, isMeant(was) ? mesh.signOf(was) * was.debt : 0, isMeant(is));
     }
@@ -34,18 +32,13 @@ void forEachChanged(const EditMesh& mesh, bool ofWalls, Visitor&& visit)
 void passOnDebts(EditMesh& mesh, bool ofWalls)
 {
   const ChangedDebt debt = changedDebt(mesh, ofWalls);
-  FixedList<std::uint32_t, Most> walls;
   forEachChanged(mesh, ofWalls, [&](std::uint32_t f, double, bool isThere) {
     if (isThere)
     {
-      walls.add(f);
+      const double share = debt.area > 0 ? norm(mesh.face(f).area) / debt.area : 0;
+      mesh.changeFace(f).debt = mesh.signOf(f) * debt.after * share;
     }
   });
-  for (const std::uint32_t f : walls)
-  {
-    const double share = debt.area > 0 ? norm(mesh.face(f).area) / debt.area : 0;
-    mesh.changeFace(f).debt = mesh.signOf(f) * debt.after * share;
-  }
 }
 
 }

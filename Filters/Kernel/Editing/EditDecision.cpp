@@ -164,7 +164,7 @@ public:
     costs_.clear();
     for (const std::uint32_t f : faces_)
     {
-      costs_.add(costOfFace(mesh, f, spec));
+      costs_.push(costOfFace(mesh, f, spec));
       sum += costs_.back().value;
       if (sum > most)
       {

@@ -261,7 +261,7 @@ private:
     {
       for (const std::uint32_t n : mesh_.cornersOf(item.number))
       {
-        nodes.add(n);
+        nodes.offer(n);
       }
       return nodes;
     }
@@ -275,7 +275,7 @@ private:
       {
         if (nodes.size() < NodesOfCell && !nodes.contains(n))
         {
-          nodes.add(n);
+          nodes.push(n);
         }
       }
     }

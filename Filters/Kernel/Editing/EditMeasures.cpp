@@ -129,7 +129,10 @@ public:
     }
     for (const std::uint32_t f : mesh_.facesAround(node_))
     {
-      faces_.add({ f, measuresOf(f) });
+      if (!faces_.add({ f, measuresOf(f) }))
+      {
+        return {};
+      }
     }
     for (auto& [c, measures] : cells_)
     {
@@ -365,6 +368,14 @@ Cost<double> costOfFace(const EditMesh& mesh, std::uint32_t f, const ObjectiveSp
     [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); });
 }
 
+double costBy(
+  const EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& to, const ObjectiveSpec& from)
+{
+  const EditFace& face = mesh.face(f);
+  return mesh.isSurface(f) && !mesh.isWall(f) ? costOfFace(mesh, f, to).value
+                                              : costBy(to, from, face.cost, face.fails);
+}
+
 Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c)
 {
   DeterminantOfCell<double> determinant;
@@ -472,13 +483,14 @@ bool isBridge(const EditMesh& mesh, std::uint32_t c)
 {
   using Cells = FixedList<std::uint32_t, 256>;
   Cells beside;
+  bool fits = true;
   const auto addNeighbours = [&](std::uint32_t of, Cells& to) {
     for (const std::uint32_t f : mesh.facesOf(of))
     {
       const std::uint32_t other = mesh.beyond(f, of);
       if (other != None && other != c && !mesh.isSurface(f) && !to.contains(other))
       {
-        to.add(other);
+        fits = to.add(other) && fits;
       }
     }
   };
@@ -488,8 +500,8 @@ bool isBridge(const EditMesh& mesh, std::uint32_t c)
     return false;
   }
   Cells reached; // from the first
-  reached.add(beside[0]);
-  for (std::size_t i = 0; i < reached.size(); ++i)
+  reached.push(beside[0]);
+  for (std::size_t i = 0; i < reached.size() && fits; ++i)
   {
     Cells next;
     addNeighbours(reached[i], next);
@@ -502,12 +514,13 @@ bool isBridge(const EditMesh& mesh, std::uint32_t c)
           around.begin(), around.end(), [&](std::uint32_t cell) { return beside.contains(cell); });
       if (isNear && !reached.contains(other))
       {
-        reached.add(other);
+        fits = reached.add(other) && fits;
       }
     }
   }
-  return !std::all_of(
-    beside.begin(), beside.end(), [&](std::uint32_t cell) { return reached.contains(cell); });
+  return !fits || !std::all_of(beside.begin(), beside.end(), [&](std::uint32_t cell) {
+    return reached.contains(cell);
+  });
 }
 
 void listChanged(const EditMesh& mesh, std::vector<std::uint32_t>& cells)
@@ -522,6 +535,35 @@ void listChanged(const EditMesh& mesh, std::vector<std::uint32_t>& cells)
       }
     }
   }
+}
+
+bool measureUnsettled(EditMesh& mesh)
+{
+  for (const std::uint32_t f : mesh.unsettled.faces)
+  {
+    if (!mesh.face(f).gone)
+    {
+      mesh.changeFace(f);
+      measureFace(mesh, f);
+    }
+    for (const std::uint32_t c : { mesh.face(f).below, mesh.face(f).above })
+    {
+      c != None ? mesh.unsettled.cells.add(c) : void();
+    }
+  }
+  for (const std::uint32_t c : mesh.unsettled.cells)
+  {
+    if (!mesh.cell(c).gone && !mesh.isGhost(c))
+    {
+      const double before = mesh.changeCell(c).volume;
+      measureCell(mesh, c);
+      if (!(mesh.cell(c).volume > 0 || mesh.cell(c).volume >= before))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 void costCells(EditMesh& mesh, Items cells, const ObjectiveSpec& spec)

@@ -14,11 +14,19 @@ void measureFace(EditMesh& mesh, std::uint32_t f);
 // Centre and volume of a cell, of its faces' measures.
 void measureCell(EditMesh& mesh, std::uint32_t c);
 
+// What edits left unsettled, whatever its shape; it stays listed. False: a cell has no volume.
+bool measureUnsettled(EditMesh& mesh);
+
 // Of a face or cell as measured.
 Cost<double> costOfFace(const EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec);
 Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c);
 
-// ... as what they cost from now on.
+// What a face that has a cost by one specification costs by another. Between regions it is measured: of a sum of two sides
+// nothing can be undone.
+double costBy(
+  const EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& to, const ObjectiveSpec& from);
+
+// Of a face or cell as measured, as what they cost from now on.
 void setCostOfFace(EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec);
 void setCostOfCell(EditMesh& mesh, std::uint32_t c);
 void setCost(EditFace& face, const Cost<double>& cost);
@@ -30,7 +38,7 @@ void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution);
 // Whether the body is as thin as the cell: most of what it shares with others is with such as are no larger.
 bool isThinThere(const EditMesh& mesh, std::uint32_t c);
 
-// Whether the cells beside a cell are connected nowhere near but through it.
+// Whether the cells beside a cell are connected nowhere near but through it, or are too many to tell.
 bool isBridge(const EditMesh& mesh, std::uint32_t c);
 
 // The cells beside faces that changed since the last commit; they are appended.

@@ -464,6 +464,14 @@ public:
   const Records<EditFace>& faceRecords() const { return journal_.faces; }
   const Records<EditCell>& cellRecords() const { return journal_.cells; }
 
+  // Whether a record of a face is its oldest, from record `since` on: later ones are of edits within an edit.
+  bool isOldestOfFace(std::size_t record, std::size_t since = 0) const
+  {
+    const auto first = journal_.faces.begin() + std::ptrdiff_t(since);
+    const auto end = journal_.faces.begin() + std::ptrdiff_t(record);
+    return std::none_of(first, end, [&](const auto& older) { return older.first == end->first; });
+  }
+
   // --- changing
 
   EditNode& changeNode(std::uint32_t i) { return change(store_->nodes, journal_.nodes, i); }

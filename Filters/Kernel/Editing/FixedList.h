@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A short list on the stack, for hot paths that must not allocate. Full, it takes no more, and says so.
+// A short list on the stack, for hot paths that must not allocate. Full, it takes no more, and says so: the caller gives up
+// what it is about, unless it says by another name for add() that the first ones do.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <new>
+#include <stdexcept>
 #include <type_traits>
 
 namespace cartesian
@@ -16,7 +18,7 @@ class FixedList
 {
 public:
   // False: it is full.
-  bool add(const T& value)
+  [[nodiscard]] bool add(const T& value)
   {
     if (size_ == Capacity)
     {
@@ -25,6 +27,18 @@ public:
     new (items() + size_++) T(value);
     return true;
   }
+
+  // What there must be room for. Throws std::length_error.
+  void push(const T& value)
+  {
+    if (!add(value))
+    {
+      throw std::length_error("FixedList");
+    }
+  }
+
+  // One of several to choose from: the first ones do.
+  void offer(const T& value) { static_cast<void>(add(value)); }
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }

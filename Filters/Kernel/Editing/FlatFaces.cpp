@@ -192,7 +192,7 @@ private:
       const double part = dot(minus(mesh_.node(n).at, from), along);
       if (n != u && n != v && part > 0 && part < dot(along, along))
       {
-        within.add({ part, n });
+        within.push({ part, n });
       }
     }
     std::sort(within.begin(), within.end());
@@ -285,36 +285,6 @@ private:
   Few ring_;
 };
 
-// False: a cell has no volume.
-bool measureChanged(EditMesh& mesh)
-{
-  for (const std::uint32_t f : mesh.unsettled.faces)
-  {
-    if (!mesh.face(f).gone)
-    {
-      mesh.changeFace(f);
-      measureFace(mesh, f);
-    }
-    for (const std::uint32_t c : { mesh.face(f).below, mesh.face(f).above })
-    {
-      c != None ? mesh.unsettled.cells.add(c) : void();
-    }
-  }
-  for (const std::uint32_t c : mesh.unsettled.cells)
-  {
-    if (!mesh.cell(c).gone && !mesh.isGhost(c))
-    {
-      const double before = mesh.changeCell(c).volume;
-      measureCell(mesh, c);
-      if (!(mesh.cell(c).volume > 0 || mesh.cell(c).volume >= before))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
 class FlatFaceRemover
 {
 public:
@@ -388,7 +358,7 @@ private:
   bool tryEdit(Edit&& edit)
   {
     const EditMesh::Mark mark = mesh_.mark();
-    if (!edit() || !measureChanged(mesh_))
+    if (!edit() || !measureUnsettled(mesh_))
     {
       mesh_.undo(mark);
       return false;

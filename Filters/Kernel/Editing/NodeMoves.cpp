@@ -119,7 +119,7 @@ double bestMove(EditMesh& mesh, ProposalTrials& trials, const ObjectiveSpec& spe
     const Vector way = allowed(node, scaled(gradientAt(mesh, n, spec, LittleCost), -1));
     if (const double slope = norm(way); slope * LongestStep * edge > Promise * least)
     {
-      descents.add({ slope, n, scaled(way, 1 / slope) });
+      descents.push({ slope, n, scaled(way, 1 / slope) });
     }
   }
   std::sort(descents.begin(), descents.end(), [](const Descent& x, const Descent& y) {

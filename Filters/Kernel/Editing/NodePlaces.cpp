@@ -2,6 +2,7 @@
 #include "Editing/NodePlaces.h"
 
 #include "Base/Sorting.h"
+#include "Editing/EditMeasures.h"
 
 #include <algorithm>
 #include <tuple>
@@ -29,12 +30,13 @@ struct Placed
 class Places
 {
 public:
-  explicit Places(EditStore& store)
-    : store_(store)
+  Places(EditStore& store, const ObjectiveSpec& spec)
+    : mesh_(store, 0, 0, {})
+    , spec_(spec)
   {
-    for (std::uint32_t n = 0; n < store.nodes.size(); ++n)
+    for (std::uint32_t n = 0; n < mesh_.nodeCount(); ++n)
     {
-      const EditNode& node = store.nodes[n];
+      const EditNode& node = mesh_.node(n);
       if (!node.gone)
       {
         all_.push_back({ node.at, node.held != HeldFast, n });
@@ -49,32 +51,56 @@ public:
     {
       if (all_[i].at == all_[i - 1].at && all_[i].isFree)
       {
-        move(store_.nodes[all_[i].node]);
+        move(all_[i].node);
       }
     }
   }
 
 private:
-  void move(EditNode& node)
+  // To the nearest place that is free and keeps all volumes.
+  void move(std::uint32_t n)
   {
+    const Vector from = mesh_.node(n).at;
+    const EditStore& store = mesh_.store();
     for (int steps = 1; steps <= MostSteps; ++steps)
     {
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         for (const int sign : { 1, -1 })
         {
-          Vector to = node.at;
-          to[axis] += sign * steps * store_.level;
-          const bool isInside = to[axis] >= store_.low[axis] && to[axis] <= store_.high[axis];
-          if ((node.held >> axis & 1) == 0 && isInside && !isTaken(to))
+          Vector to = from;
+          to[axis] += sign * steps * store.level;
+          const bool isInside = to[axis] >= store.low[axis] && to[axis] <= store.high[axis];
+          if ((mesh_.node(n).held >> axis & 1) == 0 && isInside && !isTaken(to) && moveTo(n, to))
           {
-            node.at = to;
             taken_.push_back(to);
             return;
           }
         }
       }
     }
+  }
+
+  // False: the mesh is as before.
+  bool moveTo(std::uint32_t n, const Vector& to)
+  {
+    const EditMesh::Mark mark = mesh_.mark();
+    mesh_.changeNode(n).at = to;
+    for (const std::uint32_t f : mesh_.facesAround(n))
+    {
+      mesh_.unsettled.faces.add(f);
+    }
+    if (!measureUnsettled(mesh_))
+    {
+      mesh_.undo(mark);
+      return false;
+    }
+    std::vector<std::uint32_t> changed;
+    listChanged(mesh_, changed);
+    mesh_.commit();
+    changed = sortedUnique(std::move(changed));
+    costCells(mesh_, { changed.data(), changed.data() + changed.size() }, spec_);
+    return true;
   }
 
   bool isTaken(const Vector& at) const
@@ -84,16 +110,17 @@ private:
       std::find(taken_.begin(), taken_.end(), at) != taken_.end();
   }
 
-  EditStore& store_;
+  EditMesh mesh_;
+  const ObjectiveSpec& spec_;
   std::vector<Placed> all_;
   std::vector<Vector> taken_; // by those that moved: few
 };
 
 }
 
-void separateNodes(EditStore& store, Execution& execution)
+void separateNodes(EditStore& store, const ObjectiveSpec& spec, Execution& execution)
 {
-  Places(store).run(execution);
+  Places(store, spec).run(execution);
 }
 
 }

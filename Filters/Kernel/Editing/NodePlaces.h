@@ -2,13 +2,14 @@
 // No two nodes at one place.
 #pragma once
 
+#include "Acceptance/WallObjective.h"
 #include "Editing/EditMesh.h"
 
 namespace cartesian
 {
 
 // Walls that touch may have edits put two nodes at one place. All but one of them then move by as few steps of the lattice as
-// it takes, to a place that is free, where nothing holds them: far less than any measure sees.
-void separateNodes(EditStore& store, Execution& execution);
+// it takes, to a place that is free, where nothing holds them, and all around is measured again.
+void separateNodes(EditStore& store, const ObjectiveSpec& spec, Execution& execution);
 
 }

@@ -132,9 +132,9 @@ bool replaceNode(EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Few& fa
     }
     ring.resize(static_cast<std::size_t>(end - ring.begin()));
     mesh.setCorners(f, ring.data(), ring.size());
-    if (ring.size() < 3)
+    if (ring.size() < 3 && !flat.add(f))
     {
-      flat.add(f);
+      return false;
     }
   }
   return true;
@@ -198,7 +198,10 @@ bool traceUnion(const Few& a, const Few& b, const SharedRow& row, Few& ring)
   const std::uint32_t to = a[(row.first + row.edges) % a.size()];
   for (std::size_t i = 0; i <= a.size() - row.edges; ++i)
   {
-    ring.add(a[(row.first + row.edges + i) % a.size()]);
+    if (!ring.add(a[(row.first + row.edges + i) % a.size()]))
+    {
+      return false;
+    }
   }
   const auto start = static_cast<std::size_t>(std::find(b.begin(), b.end(), from) - b.begin());
   for (std::size_t j = (start + 1) % b.size(); b[j] != to; j = (j + 1) % b.size())
@@ -385,11 +388,11 @@ std::uint32_t splitFace(EditMesh& mesh, std::uint32_t f, std::size_t i, std::siz
   Few cut;
   for (std::size_t k = i; k <= j; ++k)
   {
-    kept.add(ring[k]);
+    kept.push(ring[k]);
   }
   for (std::size_t k = j; k <= i + size; ++k)
   {
-    cut.add(ring[k % size]);
+    cut.push(ring[k % size]);
   }
   EditFace made = mesh.face(f);
   const double part = 0.5; // of the debt, until both are measured

@@ -28,7 +28,7 @@ FixedList<std::uint32_t, Capacity> copyOf(Items items)
   FixedList<std::uint32_t, Capacity> list;
   for (const std::uint32_t item : items)
   {
-    list.add(item);
+    list.offer(item);
   }
   return list;
 }
@@ -292,7 +292,7 @@ bool ProposalTrials::joinFacesOf(std::uint32_t c, const Faces& which)
       const bool isSecond = which.contains(g) && g <= f;
       if (g != f && !isSecond && couldJoin(mesh_, f, g, c))
       {
-        pairs.add({ f, g });
+        pairs.offer({ f, g });
         gain += mesh_.face(g).cost;
         isAny = true;
       }

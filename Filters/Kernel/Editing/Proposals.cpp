@@ -108,7 +108,7 @@ void proposeShortEdges(
       norm(minus(mesh.node(ring[i]).at, mesh.node(ring[(i + 1) % ring.size()]).at));
     if (length < search.longestEdge * edge)
     {
-      edges.add({ length, i });
+      edges.offer({ length, i });
     }
   }
   std::sort(edges.begin(), edges.end());
@@ -251,7 +251,7 @@ void addReentrant(
     {
       const Vector& from = mesh.node(p).at;
       const Vector& to = mesh.node(q).at;
-      edges.add(
+      edges.offer(
         { (1 - dot(one, other)) * norm(minus(to, from)), scaled(plus(from, to), 0.5), one, other });
     }
   }
@@ -347,14 +347,14 @@ Neighbours largestNeighbours(const EditMesh& mesh, std::uint32_t c, std::uint32_
     }
     else
     {
-      found.add({ -norm(mesh.face(f).area), other });
+      found.offer({ -norm(mesh.face(f).area), other });
     }
   }
   std::sort(found.begin(), found.end());
   Neighbours neighbours;
   for (const auto& [area, other] : found)
   {
-    neighbours.add(other);
+    neighbours.push(other);
   }
   return neighbours;
 }

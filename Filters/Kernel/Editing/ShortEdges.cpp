@@ -90,16 +90,16 @@ FixedList<Proposal, 3> waysToCollapse(const EditMesh& mesh, std::uint32_t u, std
   FixedList<Proposal, 3> ways;
   if (rankOf(a) == rankOf(b) && a.kind != NodeKind::Corner && a.held == b.held)
   {
-    ways.add({ EditKind::Collapse, u, v, 0,
+    ways.push({ EditKind::Collapse, u, v, 0,
       placeKeepingArea(mesh, u, v, onLattice(mesh, scaled(plus(a.at, b.at), 0.5), a.held)) });
   }
   if (rankOf(a) <= rankOf(b))
   {
-    ways.add({ EditKind::Collapse, u, v, 0, placeKeepingArea(mesh, u, v, b.at) });
+    ways.push({ EditKind::Collapse, u, v, 0, placeKeepingArea(mesh, u, v, b.at) });
   }
   if (rankOf(b) <= rankOf(a))
   {
-    ways.add({ EditKind::Collapse, v, u, 0, placeKeepingArea(mesh, v, u, a.at) });
+    ways.push({ EditKind::Collapse, v, u, 0, placeKeepingArea(mesh, v, u, a.at) });
   }
   return ways;
 }

@@ -69,6 +69,10 @@ public:
     {
       return 0;
     }
+    if (isShort_)
+    {
+      return std::numeric_limits<double>::infinity();
+    }
     if (now_.empty() && beside_.empty())
     {
       return extent();
@@ -90,37 +94,36 @@ public:
   }
 
 private:
+  template <class List, class Value>
+  void keep(List& list, const Value& value)
+  {
+    isShort_ = !list.add(value) || isShort_;
+  }
+
   static bool isWall(const EditFace& face) { return !face.gone && isSurface(face); }
 
-  // The oldest record of each face counts: later ones are of edits within this one.
   void collectFaces(const EditMesh::Mark& mark)
   {
     const auto& records = mesh_.faceRecords();
-    FixedList<std::uint32_t, Most> seen;
     for (std::size_t i = mark.faceRecords; i < records.size(); ++i)
     {
       const auto& [f, was] = records[i];
-      if (seen.contains(f))
-      {
-        continue;
-      }
-      seen.add(f);
       const EditFace& is = mesh_.face(f);
       const bool hasMoved = isWall(was) != isWall(is) || was.corners.first != is.corners.first ||
         was.centre != is.centre;
-      if ((!isWall(was) && !isWall(is)) || !hasMoved)
+      if ((!isWall(was) && !isWall(is)) || !hasMoved || !mesh_.isOldestOfFace(i, mark.faceRecords))
       {
         continue;
       }
       hasChanged_ = true;
       if (isWall(is))
       {
-        now_.add(f);
+        keep(now_, f);
       }
       if (isWall(was))
       {
-        points_.add(was.centre);
-        before_.add(i);
+        keep(points_, was.centre);
+        keep(before_, i);
       }
     }
   }
@@ -153,7 +156,7 @@ private:
         {
           if (mesh_.isSurface(g) && !now_.contains(g) && !beside_.contains(g))
           {
-            beside_.add(g);
+            keep(beside_, g);
           }
         }
       }
@@ -169,11 +172,11 @@ private:
       const EditNode& is = mesh_.node(n);
       if (was.atWall && !was.gone && (is.gone || is.at != was.at))
       {
-        points_.add(was.at);
+        keep(points_, was.at);
       }
       if (is.atWall && !is.gone && (!was.atWall || was.gone) && !fresh_.contains(n))
       {
-        fresh_.add(n);
+        keep(fresh_, n);
       }
     }
   }
@@ -220,6 +223,7 @@ private:
   FixedList<Vector, Most> points_;
   FixedList<std::uint32_t, Most> fresh_; // nodes that were not at the wall
   bool hasChanged_ = false;
+  bool isShort_ = false; // a list was full
 };
 
 }
@@ -266,7 +270,7 @@ SharpEnds sharpEndsAt(const EditMesh& mesh, std::uint32_t u)
       const std::uint32_t v = ring[beside];
       if (mesh.isSurface(f) && !ends.contains(v) && wallEdgeOf(mesh, u, v).isSharp)
       {
-        ends.add(v);
+        ends.offer(v);
       }
     }
   }

@@ -37,7 +37,7 @@ double distanceToSegment(const Vector& p, const Vector& a, const Vector& b);
 double distanceToFace(const EditMesh& mesh, const Vector& p, std::uint32_t f);
 
 // The largest distance between the walls that changed since the mark, as they were and as they are: from nodes and
-// centres of the one to faces of the other, both ways. Nothing left of them: their extent.
+// centres of the one to faces of the other, both ways. Nothing left of them: their extent; infinite: they are too many to tell.
 double distanceOfWalls(const EditMesh& mesh, const EditMesh::Mark& mark);
 
 }

@@ -111,11 +111,12 @@ void weighAnew(const ZoneTask& task, const ObjectiveSpec& from, const ObjectiveS
     {
       for (std::size_t i = 0; mesh.isFree(c) && i < mesh.cell(c).faces.size; ++i)
       {
-        EditFace& face = mesh.rawFace(mesh.facesOf(c)[i]);
+        const std::uint32_t f = mesh.facesOf(c)[i];
+        EditFace& face = mesh.rawFace(f);
         const bool isFirst = face.below == c || !mesh.isFree(face.below);
         if (isFirst && face.cost > NextToNothing)
         {
-          face.cost = costBy(to, from, face.cost, face.fails);
+          face.cost = costBy(mesh, f, to, from);
         }
       }
     }
@@ -302,7 +303,7 @@ std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, E
   {
     endAll(store, loops, execution, edits);
   }
-  separateNodes(store, execution);
+  separateNodes(store, general.rules.spec, execution);
   append(edits, removeFlatFaces(store, general.rules, execution));
   sortAll(edits, execution); // zones end in any order
   return edits;

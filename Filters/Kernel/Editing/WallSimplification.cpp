@@ -120,7 +120,7 @@ private:
     {
       if (mesh_.isSurface(f))
       {
-        walls.add({ norm(mesh_.face(f).area), f });
+        walls.offer({ norm(mesh_.face(f).area), f });
       }
     }
     std::sort(walls.begin(), walls.end());
@@ -143,7 +143,7 @@ private:
       const double cosine = cosineBetween(mesh_, f, g);
       if (cosine > LeastCosine || area < SmallWall * edge * edge)
       {
-        others.add({ -cosine, g });
+        others.offer({ -cosine, g });
       }
     }
     std::sort(others.begin(), others.end());
@@ -169,8 +169,8 @@ private:
       return false;
     }
     FixedList<Vector, 16> points;
-    points.add(mesh_.face(f).centre);
-    points.add(mesh_.face(g).centre);
+    points.push(mesh_.face(f).centre);
+    points.push(mesh_.face(g).centre);
     const Items other = mesh_.cornersOf(g);
     Vector middle{};
     double shared = 0;
@@ -178,12 +178,18 @@ private:
     {
       if (placeOf(other, n) < other.size())
       {
-        points.add(mesh_.node(n).at);
+        if (!points.add(mesh_.node(n).at))
+        {
+          return false;
+        }
         middle = plus(middle, mesh_.node(n).at);
         ++shared;
       }
     }
-    points.add(scaled(middle, 1 / shared));
+    if (!points.add(scaled(middle, 1 / shared)))
+    {
+      return false;
+    }
     const EditMesh::Mark mark = mesh_.mark();
     bool isMade = joinFaces(mesh_, f, g) && areSound(LeastStar, MostWarp);
     if (isMade)

@@ -17,6 +17,11 @@ constexpr std::size_t TrianglesAChunk = 1 << 11;
 // line nevertheless.
 constexpr double ThickestFold = 0.02;
 
+// ... and lies back to back with what it is folded onto, across a long edge: the walls of a tube, thin as they may be, have
+// right angles with its ends, across short ones.
+constexpr double MostCosineBackToBack = -0.5;
+constexpr double ShortestLongEdge = 0.5; // of the longest
+
 constexpr std::uint32_t None = ~std::uint32_t(0);
 
 using Neighbours = std::array<std::uint32_t, 3>; // across each edge, or None
@@ -105,14 +110,14 @@ private:
     for (std::size_t i = 0; i < 3; ++i)
     {
       const std::uint32_t a = neighbours_[t][i];
-      if (a == None || !opposite(t, a))
+      if (a == None || !isLong(t, i) || !isBackToBack(t, a))
       {
         continue;
       }
       for (const std::size_t j : { (i + 1) % 3, (i + 2) % 3 })
       {
         const std::uint32_t b = neighbours_[t][j];
-        if (b != None && (opposite(t, b) ? !turns(a, b) : isThin(b) && agreesBehind(t, b, a)))
+        if (b != None && (isBackToBack(t, b) ? !turns(a, b) : isThin(b) && agreesBehind(t, b, a)))
         {
           return true;
         }
@@ -121,30 +126,42 @@ private:
     return false;
   }
 
-  // Whether a neighbour of `twin` other than t is opposite to t and agrees with a.
+  // Whether a neighbour of `twin` other than t lies back to back with t and agrees with a.
   bool agreesBehind(std::size_t t, std::size_t twin, std::size_t a) const
   {
     const Neighbours& behind = neighbours_[twin];
     return std::any_of(behind.begin(), behind.end(),
-      [&](std::uint32_t n) { return n != None && n != t && opposite(t, n) && !turns(a, n); });
+      [&](std::uint32_t n) { return n != None && n != t && isBackToBack(t, n) && !turns(a, n); });
   }
 
   bool isThin(std::size_t t) const
   {
     const Corners c = surface_.corners(t);
     const Vector twiceArea = cross(minus(c[1], c[0]), minus(c[2], c[0]));
-    double longest = 0; // squared
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const Vector edge = minus(c[(i + 1) % 3], c[i]);
-      longest = std::max(longest, dot(edge, edge));
-    }
+    const double longest = longestSquared(c);
     return dot(twiceArea, twiceArea) <= ThickestFold * ThickestFold * longest * longest;
   }
 
-  bool opposite(std::size_t t, std::size_t other) const
+  bool isLong(std::size_t t, std::size_t edge) const
   {
-    return dot(result_.normal[t], result_.normal[other]) < 0;
+    const Corners c = surface_.corners(t);
+    return lengthSquared(c, edge) >= ShortestLongEdge * ShortestLongEdge * longestSquared(c);
+  }
+
+  static double lengthSquared(const Corners& c, std::size_t edge)
+  {
+    const Vector way = minus(c[(edge + 1) % 3], c[edge]);
+    return dot(way, way);
+  }
+
+  static double longestSquared(const Corners& c)
+  {
+    return std::max({ lengthSquared(c, 0), lengthSquared(c, 1), lengthSquared(c, 2) });
+  }
+
+  bool isBackToBack(std::size_t t, std::size_t other) const
+  {
+    return dot(result_.normal[t], result_.normal[other]) < MostCosineBackToBack;
   }
 
   const Surface& surface_;

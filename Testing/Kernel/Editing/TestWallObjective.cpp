@@ -404,6 +404,32 @@ TEST(WallObjective, Saturates)
   }
 }
 
+// Between two regions the costs of both sides are summed; by another specification they are what they are measured to be.
+TEST(WallObjective, CostsByAnotherSpecificationAreThoseMeasured)
+{
+  TestMeshSpec spec;
+  spec.place = [](const Vector& p) { // the side between the boxes folds over both
+    return p[0] == 1 ? Vector{ (p[1] > 0) == (p[2] > 0) ? 3.5 : -1.5, p[1], p[2] } : p;
+  };
+  EditMesh mesh =
+    meshOfBoxes({ { { 0, 0, 0 }, { 1, 1, 1 }, 0 }, { { 1, 0, 0 }, { 2, 1, 1 }, 1 } }, spec);
+  const ObjectiveSpec usual;
+  ObjectiveSpec other;
+  other.saturation = 40;
+  other.failing = 100;
+  const std::uint32_t between = faceBetween(mesh, 0, 1);
+  ASSERT_GT(costOfFace(mesh, between, usual).fails, 0);
+  for (const auto& [from, to] : { std::pair{ usual, other }, std::pair{ other, usual } })
+  {
+    costAgain(mesh, from);
+    for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+    {
+      const double measured = costOfFace(mesh, f, to).value;
+      EXPECT_NEAR(costBy(mesh, f, to, from), measured, 1e-9 * measured) << f;
+    }
+  }
+}
+
 // Against central differences of a whole and of half a step: where those agree, the formula is smooth.
 TEST(WallObjective, GradientsAreDifferences)
 {

@@ -324,6 +324,41 @@ Soup torus(int n, double radius, double tube)
   return builder.take();
 }
 
+Soup tubeWithEnds(std::uint32_t lower, std::uint32_t upper, double length)
+{
+  Soup soup;
+  for (const std::uint32_t n : { lower, upper })
+  {
+    for (std::uint32_t i = 0; i < n; ++i)
+    {
+      const double angle = 2 * std::acos(-1.0) * i / n;
+      soup.points.push_back({ std::cos(angle), std::sin(angle), n == lower ? 0 : length });
+    }
+  }
+  for (std::uint32_t i = 0; i < lower; ++i)
+  {
+    const std::uint32_t next = (i + 1) % lower;
+    const std::uint32_t above = lower + i * upper / lower;
+    soup.triangles.push_back({ i, next, above });
+    if (next * upper / lower != i * upper / lower)
+    {
+      soup.triangles.push_back({ next, lower + next * upper / lower, above });
+    }
+  }
+  soup.boundary.assign(soup.triangles.size(), 0);
+  for (std::uint32_t i = 1; i + 1 < lower; ++i)
+  {
+    soup.triangles.push_back({ 0, i + 1, i });
+  }
+  soup.boundary.resize(soup.triangles.size(), 1);
+  for (std::uint32_t i = 1; i + 1 < upper; ++i)
+  {
+    soup.triangles.push_back({ lower, lower + i, lower + i + 1 });
+  }
+  soup.boundary.resize(soup.triangles.size(), 2);
+  return soup;
+}
+
 Soup kleinBottle(int n)
 {
   const auto place = [&](const Builder::Name& name) {

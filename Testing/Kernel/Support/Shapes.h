@@ -60,7 +60,9 @@ Soup nestedSpheres();   // a ball with a ball cut out
 Soup comb(int teeth);   // thin sheets on a base
 Soup blockWithTubes();  // 3 x 3
 Soup beadOnAThread(
-  double thickness);     // of the thread, from a block of 4 to a bead of 0.8, at x from 7
+  double thickness); // of the thread, from a block of 4 to a bead of 0.8, at x from 7
+// Along z, of radius 1: its ends, 1 and 2, are polygons of so many corners, its walls, 0, thin triangles.
+Soup tubeWithEnds(std::uint32_t lower, std::uint32_t upper, double length);
 Soup kleinBottle(int n); // a figure of eight swept around with half a twist: intersects itself
 Soup starPolyhedron(unsigned seed, int n);
 Soup bumpySphere(unsigned seed, int n);

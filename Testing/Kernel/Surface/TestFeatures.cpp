@@ -32,6 +32,42 @@ std::size_t sharpSides(const Surface& surface, double featureAngle)
   return count;
 }
 
+Soup oneBoundary(Soup soup)
+{
+  soup.boundary.assign(soup.triangles.size(), 0);
+  return soup;
+}
+
+}
+
+TEST(Features, OfALongTubeAreItsRims)
+{
+  const Soup tube = oneBoundary(tubeWithEnds(12, 6, 30));
+  for (const double radius : { 0.1, 1.0, 30.0 })
+  {
+    for (const Soup& soup : { tube, oneBoundary(tubeWithEnds(24, 8, 100)), tube.turned(0, 20),
+           tube.turned(), tube.permuted({ 2, 0, 1 }) })
+    {
+      const Surface surface = surfaceOf(soup.scaled(radius));
+      const std::size_t rims = soup.points.size();
+      EXPECT_EQ(sharpSides(surface, 80), 2 * rims);
+    }
+  }
+}
+
+// The riser of a step is as thin as a fold, but stands upright: it has the edges of one that is high.
+TEST(Features, OfALowStepAreThoseOfAHighOne)
+{
+  const auto step = [](double height) {
+    const std::array<std::vector<double>, 3> lines{ { { 0, 1, 2 }, { 0, 1 },
+      { 0, 1, 1 + height } } };
+    return voxels(lines, [](int i, int, int k) { return k == 0 || i == 0; });
+  };
+  for (const double degrees : { 0.0, 20.0, 45.0, 70.0 })
+  {
+    EXPECT_EQ(sharpSides(surfaceOf(step(0.01).turned(1, degrees)), 30),
+      sharpSides(surfaceOf(step(0.5).turned(1, degrees)), 30));
+  }
 }
 
 TEST(Features, OfACubeAreItsEdges)

@@ -109,6 +109,25 @@ TEST(SurfaceSplit, CapsAreTheSameOfASurfaceThatIsInsideOutTurnedOrMoved)
   }
 }
 
+// Walls of thin triangles, with other points at either end.
+TEST(SurfaceSplit, CapsOfALongTubeAreItsEnds)
+{
+  const Soup tube = oneBoundary(tubeWithEnds(12, 6, 30));
+  for (const double size : { 0.1, 1.0, 30.0 })
+  {
+    for (const Soup& soup : { tube, tube.turned(0, 20), tube.turned(), tube.permuted({ 2, 0, 1 }) })
+    {
+      const SurfaceSplit ends = split(soup.scaled(size), SplitBy::FlatCaps);
+      std::vector<double> caps = areas(ends, true);
+      std::sort(caps.begin(), caps.end());
+      ASSERT_EQ(caps.size(), 2u);
+      EXPECT_NEAR(caps[0], 1.5 * std::sqrt(3.0) * size * size, 1e-6 * size * size);
+      EXPECT_NEAR(caps[1], 3 * size * size, 1e-6 * size * size);
+      EXPECT_EQ(areas(ends, false).size(), 1u);
+    }
+  }
+}
+
 TEST(SurfaceSplit, AFlatWallThatADuctBeginsAtIsNoCap)
 {
   // A plenum from which a duct leads: its wall around the duct turns outwards there.
