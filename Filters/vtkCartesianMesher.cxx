@@ -203,10 +203,11 @@ void vtkCartesianMesher::AddBoundaryOptions(
   const cartesian::SurfaceFromVTK& surface, cartesian::Options& options)
 {
   const cartesian::BoundarySettings boundaries = this->Boundaries();
-  options.layers.boundaries = cartesian::boundaryLayers(boundaries, surface.names());
+  options.layers.boundaries =
+    cartesian::boundaryLayers(boundaries, surface.names(), surface.sides());
   options.layers.regions = cartesian::layerRegions(this->LayerRegions, surface.regionNames());
-  options.smallCells.boundaryRatios =
-    cartesian::boundaryRatios(boundaries, surface.names(), options.smallCells.handling);
+  options.smallCells.boundaryRatios = cartesian::boundaryRatios(
+    boundaries, surface.names(), surface.sides(), options.smallCells.handling);
 }
 
 // But for the ground, flow passes through the sides of the box.
@@ -256,7 +257,8 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
     inField.isThere = processes.sum({ inField.isThere ? 1.0 : 0.0 })[0] > 0;
   }
   task.surface = std::make_unique<cartesian::SurfaceFromVTK>(this->ReadWithSides(surface));
-  task.types = cartesian::boundaryTypes(this->Boundaries(), task.surface->names());
+  task.types =
+    cartesian::boundaryTypes(this->Boundaries(), task.surface->names(), task.surface->sides());
   this->AddBaffles(task);
   task.options = this->MakeOptions();
   this->AddBoundaryOptions(*task.surface, task.options);
@@ -600,7 +602,7 @@ int vtkCartesianMesher::EstimateNumberOfPieces()
   std::size_t pieces = 0;
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     vtkDataObject* const data = this->UpdatedSurface();
-    const cartesian::SurfaceFromVTK surface = this->Read(data);
+    const cartesian::SurfaceFromVTK surface = this->ReadWithSides(data);
     constexpr int Many = 1 << 20;
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution, Many);
     this->UpdateOptionalInputs();
