@@ -17,6 +17,7 @@
 #include "Mesher/Mesher.h"
 #include "Mesher/Messages.h"
 #include "Mesher/VolumeLoss.h"
+#include "OpenFoam/FoamBoundary.h"
 #include "Parts/Decomposition.h"
 #include "ReportErrors.h"
 #include "SizesFromVTK.h"
@@ -221,6 +222,27 @@ void vtkCartesianMesher::AddTypesOfSides(Task& task) const
   }
 }
 
+// Boundaries that are symmetries by their names alone.
+void vtkCartesianMesher::WarnOfSymmetries(const Task& task)
+{
+  const cartesian::EndBoundaries& sides = task.surface->sides();
+  std::string found;
+  for (const auto& [boundary, name] : task.surface->names())
+  {
+    const bool isSide = std::find(sides.begin(), sides.end(), boundary) != sides.end();
+    if (!isSide && task.types.count(boundary) == 0 && cartesian::isSymmetry(name))
+    {
+      found += (found.empty() ? "" : ", ") + name;
+    }
+  }
+  this->Warn(found.empty()
+      ? ""
+      : "By name, these boundaries are symmetries, which have no layers: " + found +
+        ". Where that is not meant, set their Boundary Type to wall; where it is, to symmetry or, "
+        "if "
+        "flat, symmetryPlane, and this warning ends.");
+}
+
 // Both sides of a baffle are walls.
 void vtkCartesianMesher::AddBaffles(Task& task)
 {
@@ -259,6 +281,7 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   task.surface = std::make_unique<cartesian::SurfaceFromVTK>(this->ReadWithSides(surface));
   task.types =
     cartesian::boundaryTypes(this->Boundaries(), task.surface->names(), task.surface->sides());
+  this->WarnOfSymmetries(task);
   this->AddBaffles(task);
   task.options = this->MakeOptions();
   this->AddBoundaryOptions(*task.surface, task.options);
