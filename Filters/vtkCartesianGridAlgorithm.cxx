@@ -496,7 +496,7 @@ void vtkCartesianGridAlgorithm::Inspect(const cartesian::PreparedSurface& prepar
 }
 
 cartesian::RefinementSpec vtkCartesianGridAlgorithm::MakeSpec(
-  const cartesian::BoundaryNames& names) const
+  const cartesian::SurfaceFromVTK& surface) const
 {
   cartesian::RefinementSpec spec;
   spec.depth = this->RefinementDepth;
@@ -523,13 +523,14 @@ cartesian::RefinementSpec vtkCartesianGridAlgorithm::MakeSpec(
     spec.boundaries.push_back({ WholeNumber(row[0], name), WholeNumber(row[1], name),
       WholeNumber(row[2], name), WholeNumber(row[3], name) != 0 });
   }
-  for (const auto& [boundary, depth] : cartesian::boundaryDepths(this->Boundaries(), names))
+  for (const auto& [boundary, depth] :
+    cartesian::boundaryDepths(this->Boundaries(), surface.names(), surface.sides()))
   {
     spec.addUnlessThere({ boundary, depth, 0, false });
   }
   for (const std::string& name : this->RefinedBoundaries)
   {
-    spec.addUnlessThere({ cartesian::boundaryCalled(names, name, "Refined Boundaries"),
+    spec.addUnlessThere({ cartesian::boundaryCalled(surface.names(), name, "Refined Boundaries"),
       this->RefinedBoundaryDepth, 0, false });
   }
   return spec;
@@ -561,7 +562,7 @@ cartesian::AskedSizes vtkCartesianGridAlgorithm::ReadSizes(
 void vtkCartesianGridAlgorithm::AddRefinement(const cartesian::SurfaceFromVTK& source,
   std::vector<RegionSurface>& regions, cartesian::AskedSizes sizes, cartesian::Options& options)
 {
-  options.refinement = this->MakeSpec(source.names());
+  options.refinement = this->MakeSpec(source);
   this->AddFlowRefinement(source, options, regions);
   options.refinement.sizing.sizes = std::move(sizes.boxes);
   options.refinement.sizing.sizeOfTriangle = std::move(sizes.ofTriangles);

@@ -393,7 +393,7 @@ private:
   void operator=(const vtkCartesianGridAlgorithm&) = delete;
 
   bool HasMeshline(int axis, int i);
-  cartesian::RefinementSpec MakeSpec(const std::map<std::int32_t, std::string>& names) const;
+  cartesian::RefinementSpec MakeSpec(const cartesian::SurfaceFromVTK& surface) const;
   vtkMTimeType LastChange(); // of this or an input
   using Estimate = std::vector<cartesian::ExpectedRow>(
     const cartesian::SurfaceView&, const cartesian::Options&, cartesian::Execution&);

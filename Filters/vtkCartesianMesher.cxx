@@ -17,6 +17,7 @@
 #include "Mesher/Mesher.h"
 #include "Mesher/Messages.h"
 #include "Mesher/VolumeLoss.h"
+#include "OpenFoam/FoamBoundary.h"
 #include "Parts/Decomposition.h"
 #include "ReportErrors.h"
 #include "SizesFromVTK.h"
@@ -203,10 +204,11 @@ void vtkCartesianMesher::AddBoundaryOptions(
   const cartesian::SurfaceFromVTK& surface, cartesian::Options& options)
 {
   const cartesian::BoundarySettings boundaries = this->Boundaries();
-  options.layers.boundaries = cartesian::boundaryLayers(boundaries, surface.names());
+  options.layers.boundaries =
+    cartesian::boundaryLayers(boundaries, surface.names(), surface.sides());
   options.layers.regions = cartesian::layerRegions(this->LayerRegions, surface.regionNames());
-  options.smallCells.boundaryRatios =
-    cartesian::boundaryRatios(boundaries, surface.names(), options.smallCells.handling);
+  options.smallCells.boundaryRatios = cartesian::boundaryRatios(
+    boundaries, surface.names(), surface.sides(), options.smallCells.handling);
 }
 
 // But for the ground, flow passes through the sides of the box.
@@ -218,6 +220,27 @@ void vtkCartesianMesher::AddTypesOfSides(Task& task) const
     const char* type = isSymmetric ? "symmetryPlane" : side + 1 == this->Ground ? "wall" : "patch";
     task.types.emplace(task.surface->sides()[static_cast<std::size_t>(side)], type);
   }
+}
+
+// Boundaries that are symmetries by their names alone.
+void vtkCartesianMesher::WarnOfSymmetries(const Task& task)
+{
+  const cartesian::EndBoundaries& sides = task.surface->sides();
+  std::string found;
+  for (const auto& [boundary, name] : task.surface->names())
+  {
+    const bool isSide = std::find(sides.begin(), sides.end(), boundary) != sides.end();
+    if (!isSide && task.types.count(boundary) == 0 && cartesian::isSymmetry(name))
+    {
+      found += (found.empty() ? "" : ", ") + name;
+    }
+  }
+  this->Warn(found.empty()
+      ? ""
+      : "By name, these boundaries are symmetries, which have no layers: " + found +
+        ". Where that is not meant, set their Boundary Type to wall; where it is, to symmetry or, "
+        "if "
+        "flat, symmetryPlane, and this warning ends.");
 }
 
 // Both sides of a baffle are walls.
@@ -256,7 +279,9 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
     inField.isThere = processes.sum({ inField.isThere ? 1.0 : 0.0 })[0] > 0;
   }
   task.surface = std::make_unique<cartesian::SurfaceFromVTK>(this->ReadWithSides(surface));
-  task.types = cartesian::boundaryTypes(this->Boundaries(), task.surface->names());
+  task.types =
+    cartesian::boundaryTypes(this->Boundaries(), task.surface->names(), task.surface->sides());
+  this->WarnOfSymmetries(task);
   this->AddBaffles(task);
   task.options = this->MakeOptions();
   this->AddBoundaryOptions(*task.surface, task.options);
@@ -600,7 +625,7 @@ int vtkCartesianMesher::EstimateNumberOfPieces()
   std::size_t pieces = 0;
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     vtkDataObject* const data = this->UpdatedSurface();
-    const cartesian::SurfaceFromVTK surface = this->Read(data);
+    const cartesian::SurfaceFromVTK surface = this->ReadWithSides(data);
     constexpr int Many = 1 << 20;
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution, Many);
     this->UpdateOptionalInputs();

@@ -442,6 +442,7 @@ private:
   cartesian::BoundarySettings GivenBoundaries() const;
 
   void AddTypesOfSides(Task& task) const;
+  void WarnOfSymmetries(const Task& task);
   void AddBaffles(Task& task);
   // What can only be made of a whole mesh: then pieces are cut out of one.
   bool NeedsWholeMesh() const

@@ -77,7 +77,7 @@ int vtkCellAssembler::RequestData(
     const cartesian::BoundaryNames names = cartesian::boundaryNames(patchData);
     const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
       this->BoundaryRatios, {}, {}, {} };
-    const auto types = cartesian::boundaryTypes(boundaries, names);
+    const auto types = cartesian::boundaryTypes(boundaries, names, cartesian::NoEnds);
     if (std::any_of(types.begin(), types.end(),
           [](const auto& type) { return type.second == cartesian::BaffleType; }))
     {
@@ -89,7 +89,7 @@ int vtkCellAssembler::RequestData(
     options.patches.featureAngle = FeatureAngleOf(patchData, options.patches.featureAngle);
     cartesian::setCellOptions(this, options);
     options.smallCells.boundaryRatios =
-      cartesian::boundaryRatios(boundaries, names, options.smallCells.handling);
+      cartesian::boundaryRatios(boundaries, names, cartesian::NoEnds, options.smallCells.handling);
     cartesian::planStages(options, execution);
     const auto assembly =
       cartesian::assemble(std::move(boxes), std::move(patches), options, execution);

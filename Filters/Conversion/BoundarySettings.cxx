@@ -4,8 +4,6 @@
 #include "Base/Error.h"
 #include "NamePatterns.h"
 #include "OpenFoam/FoamBoundary.h"
-#include "Surface/Walls.h"
-
 #include <algorithm>
 
 namespace cartesian
@@ -33,15 +31,20 @@ void requireOneForEachName(
   }
 }
 
+bool isSide(std::int32_t boundary, const EndBoundaries& sides)
+{
+  return boundary != NoBoundary && std::find(sides.begin(), sides.end(), boundary) != sides.end();
+}
+
 // The row that counts for each boundary that has one.
 std::map<std::int32_t, std::size_t> rowsOfBoundaries(
-  const std::vector<std::string>& rows, const BoundaryNames& names)
+  const std::vector<std::string>& rows, const BoundaryNames& names, const EndBoundaries& sides)
 {
   std::map<std::int32_t, std::size_t> found;
   for (const auto& [boundary, name] : names)
   {
     auto row = std::find(rows.begin(), rows.end(), name);
-    if (row == rows.end())
+    if (row == rows.end() && !isSide(boundary, sides))
     {
       row = std::find_if(rows.begin(), rows.end(),
         [&text = name](const std::string& pattern) { return isOf(text, pattern); });
@@ -54,11 +57,24 @@ std::map<std::int32_t, std::size_t> rowsOfBoundaries(
   return found;
 }
 
-void requireKnown(const std::string& row, const BoundaryNames& names)
+void requireKnown(const std::string& row, const BoundaryNames& names, const EndBoundaries& sides)
 {
-  const bool isKnown = isPattern(row) &&
-    std::any_of(
-      names.begin(), names.end(), [&](const auto& named) { return isOf(named.second, row); });
+  bool isKnown = false;
+  std::string matched; // sides of the domain
+  for (const auto& [boundary, name] : names)
+  {
+    const bool matches = isPattern(row) && isOf(name, row);
+    isKnown = isKnown || (matches && !isSide(boundary, sides));
+    matched += matches ? (matched.empty() ? "" : ", ") + name : "";
+  }
+  if (!isKnown && !matched.empty())
+  {
+    throw Error(Fault::BadParameter,
+      "Boundary Names has \"" + row +
+        "\", which only sides of the domain match: patterns are for boundaries of the "
+        "surface. Give each side a row of its own: " +
+        matched + ".");
+  }
   if (!isKnown)
   {
     boundaryCalled(names, row, "Boundary Names");
@@ -67,14 +83,15 @@ void requireKnown(const std::string& row, const BoundaryNames& names)
 
 // The same if the column `property` has values; else nothing.
 std::map<std::int32_t, std::size_t> rowsWith(const std::vector<std::string>& rows,
-  std::size_t values, const std::string& property, const BoundaryNames& names)
+  std::size_t values, const std::string& property, const BoundaryNames& names,
+  const EndBoundaries& sides)
 {
   requireOneForEachName(rows, values, property);
   for (const std::string& row : rows)
   {
-    requireKnown(row, names);
+    requireKnown(row, names, sides);
   }
-  return values == 0 ? std::map<std::int32_t, std::size_t>() : rowsOfBoundaries(rows, names);
+  return values == 0 ? std::map<std::int32_t, std::size_t>() : rowsOfBoundaries(rows, names, sides);
 }
 
 void checkType(const std::string& type)
@@ -107,10 +124,10 @@ BoundaryNames mergedNames(const BoundarySettings& settings, const BoundaryNames&
   {
     if (!settings.mergedNames[row].empty())
     {
-      requireKnown(settings.names[row], names);
+      requireKnown(settings.names[row], names, NoEnds);
     }
   }
-  for (const auto& [boundary, row] : rowsOfBoundaries(settings.names, names))
+  for (const auto& [boundary, row] : rowsOfBoundaries(settings.names, names, NoEnds))
   {
     if (!settings.mergedNames[row].empty())
     {
@@ -151,11 +168,11 @@ BoundarySettings merged(const BoundarySettings& settings)
 }
 
 std::map<std::int32_t, std::string> boundaryTypes(
-  const BoundarySettings& settings, const BoundaryNames& names)
+  const BoundarySettings& settings, const BoundaryNames& names, const EndBoundaries& sides)
 {
   std::map<std::int32_t, std::string> types;
   for (const auto& [boundary, row] :
-    rowsWith(settings.names, settings.types.size(), "Boundary Types", names))
+    rowsWith(settings.names, settings.types.size(), "Boundary Types", names, sides))
   {
     if (settings.types[row] != AutomaticType)
     {
@@ -166,11 +183,11 @@ std::map<std::int32_t, std::string> boundaryTypes(
   return types;
 }
 
-std::vector<BoundaryRatio> boundaryRatios(
-  const BoundarySettings& settings, const BoundaryNames& names, SmallCells handling)
+std::vector<BoundaryRatio> boundaryRatios(const BoundarySettings& settings,
+  const BoundaryNames& names, const EndBoundaries& sides, SmallCells handling)
 {
   std::map<std::int32_t, double> ratios;
-  const std::map<std::int32_t, std::string> types = boundaryTypes(settings, names);
+  const std::map<std::int32_t, std::string> types = boundaryTypes(settings, names, sides);
   for (const auto& [boundary, name] : names)
   {
     const auto type = types.find(boundary);
@@ -181,7 +198,7 @@ std::vector<BoundaryRatio> boundaryRatios(
     }
   }
   for (const auto& [boundary, row] :
-    rowsWith(settings.names, settings.ratios.size(), "Boundary Small Cell Ratios", names))
+    rowsWith(settings.names, settings.ratios.size(), "Boundary Small Cell Ratios", names, sides))
   {
     if (settings.ratios[row] >= 0)
     {
@@ -198,11 +215,11 @@ std::vector<BoundaryRatio> boundaryRatios(
 }
 
 std::map<std::int32_t, int> boundaryDepths(
-  const BoundarySettings& settings, const BoundaryNames& names)
+  const BoundarySettings& settings, const BoundaryNames& names, const EndBoundaries& sides)
 {
   std::map<std::int32_t, int> depths;
   for (const auto& [boundary, row] :
-    rowsWith(settings.names, settings.depths.size(), "Boundary Depths", names))
+    rowsWith(settings.names, settings.depths.size(), "Boundary Depths", names, sides))
   {
     if (settings.depths[row] >= 0)
     {
@@ -237,12 +254,12 @@ std::vector<std::int32_t> layerRegions(
 }
 
 std::vector<WallLayerSpec::OfBoundary> boundaryLayers(
-  const BoundarySettings& settings, const BoundaryNames& names)
+  const BoundarySettings& settings, const BoundaryNames& names, const EndBoundaries& sides)
 {
-  const std::map<std::int32_t, std::string> types = boundaryTypes(settings, names);
+  const std::map<std::int32_t, std::string> types = boundaryTypes(settings, names, sides);
   std::vector<WallLayerSpec::OfBoundary> result;
   for (const auto& [boundary, row] :
-    rowsWith(settings.names, settings.layers.size(), "Boundary Layers Thickness", names))
+    rowsWith(settings.names, settings.layers.size(), "Boundary Layers Thickness", names, sides))
   {
     if (settings.layers[row] >= 0)
     {

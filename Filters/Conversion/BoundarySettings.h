@@ -5,6 +5,7 @@
 #include "BoundaryNames.h"
 #include "Cells/SmallCellSpec.h"
 #include "Surface/WallLayerSpec.h"
+#include "Surface/Walls.h"
 
 #include <vector>
 
@@ -20,7 +21,7 @@ constexpr const char* BaffleType = "baffle";
 struct BoundarySettings
 {
   // Each for one boundary, or for all that match a pattern with * (any text) or ? (any character) and that no row has
-  // by name; of several patterns the first counts.
+  // by name; of several patterns the first counts. Sides of the domain match no pattern.
   std::vector<std::string> names; // each once
   std::vector<std::string>
     types; // foamTypes(), BaffleType or AutomaticType, for each name; or empty
@@ -42,14 +43,15 @@ BoundarySettings merged(const BoundarySettings& settings);
 // opening's name (isOpening). There nothing that has a volume is left out.
 constexpr double OpeningRatio = 1e-100;
 
-// Types (without AutomaticType), ratios and depths by the numbers of the boundaries. They throw Error (BadParameter):
-// a name that is unknown or present twice, an unknown type, fewer or more of them than names.
+// Types (without AutomaticType), ratios and depths by the numbers of the boundaries, some of which are `sides` of the
+// domain. They throw Error (BadParameter): a name that is unknown or present twice, a pattern that only sides match, an
+// unknown type, fewer or more of them than names.
 std::map<std::int32_t, std::string> boundaryTypes(
-  const BoundarySettings& settings, const BoundaryNames& names);
-std::vector<BoundaryRatio> boundaryRatios(
-  const BoundarySettings& settings, const BoundaryNames& names, SmallCells handling);
+  const BoundarySettings& settings, const BoundaryNames& names, const EndBoundaries& sides);
+std::vector<BoundaryRatio> boundaryRatios(const BoundarySettings& settings,
+  const BoundaryNames& names, const EndBoundaries& sides, SmallCells handling);
 std::map<std::int32_t, int> boundaryDepths(
-  const BoundarySettings& settings, const BoundaryNames& names);
+  const BoundarySettings& settings, const BoundaryNames& names, const EndBoundaries& sides);
 
 // The numbers of regions (Walls.h) by name. Throws Error (BadParameter) if there is none of a name.
 std::vector<std::int32_t> layerRegions(
@@ -58,6 +60,6 @@ std::vector<std::int32_t> layerRegions(
 // Boundaries with their own layers: the rows with a thickness, then those that do not count as walls, by type or else
 // by name. Throws what boundaryTypes does; fewer or more thicknesses than names.
 std::vector<WallLayerSpec::OfBoundary> boundaryLayers(
-  const BoundarySettings& settings, const BoundaryNames& names);
+  const BoundarySettings& settings, const BoundaryNames& names, const EndBoundaries& sides);
 
 }

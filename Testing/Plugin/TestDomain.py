@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 
+import cartesianmesher.vtkCartesianMesherFilters  # or filters show their base class only
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
@@ -124,6 +125,35 @@ assert list(zones.FlowZones) == ["Where", "Depth", "From", "To", "at the surface
 zones.RefinementDepth = 1
 zones.UpdatePipelineInformation()
 assert list(zones.FlowZones) == [], list(zones.FlowZones)
+
+# A pattern concerns the surface's boundaries: sides of the domain keep their types unless a row names them; so does one
+# that continues a boundary of the surface.
+def typed(surface, names, types, **options):
+    wind = simple.CartesianMesher(Input=surface, Domain="Outside", LengthsBefore=1, LengthsBehind=1, LengthsBeside=1, CellSize=0.5,
+        BoxesAlongBody=0, Ground="zMin", BoundaryNames=names, BoundaryTypes=types, **options)
+    with Messages() as said:
+        wind.UpdatePipeline()
+    if error_code(wind) != 0:
+        return str(said)
+    data = wind.GetClientSideObject().GetOutputDataObject(0)
+    return dict(zip(strings(data, "BoundaryNames"), strings(data, "BoundaryTypes")))
+
+
+SIDES_TYPED = {"inlet": "patch", "outlet": "patch", "sides": "patch", "ground": "wall"}
+assert typed(cube, ["*"], ["symmetry"]) == {"boundary_0": "symmetry", **SIDES_TYPED}, typed(cube, ["*"], ["symmetry"])
+assert typed(cube, ["*", "outlet"], ["wall", "empty"]) == {"boundary_0": "wall", **SIDES_TYPED, "outlet": "empty"}
+assert typed(producer(body), ["*"], ["wall"], BoundaryArray="Name") == {"body": "wall", **SIDES_TYPED}
+for pattern, sides in ("in*", "inlet"), ("*let", "inlet, outlet"):
+    said = typed(cube, [pattern], ["wall"])
+    assert f'"{pattern}", which only sides of the domain match' in said and f"own: {sides}." in said, said
+assert "which is not a boundary" in typed(cube, ["x*"], ["wall"])
+# So are depths, where sides are refused; a side may have a row when pieces are estimated.
+assert "" in typed(cube, ["*"], ["automatic"], BoundaryDepths=[1]).values()
+assert "has no boundary 1" in typed(cube, ["inlet"], ["automatic"], BoundaryDepths=[1])
+named = simple.CartesianMesher(Input=cube, Domain="Outside", CellSize=0.5, BoxesAlongBody=0, BoundaryNames=["inlet"],
+    BoundaryDepths=[-1])
+with Messages() as said:
+    assert named.SMProxy.GetClientSideObject().EstimateNumberOfPieces() > 0, said
 
 # The same by a task file, as an OpenFOAM case.
 with tempfile.TemporaryDirectory() as folder:

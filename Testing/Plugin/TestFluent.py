@@ -62,6 +62,13 @@ with tempfile.TemporaryDirectory() as temporary:
     for part, cells in zip(parts, (slice(0, parts[0].cells), slice(parts[0].cells, None))):
         assert np.allclose(volumes[cells], part.volumes(), rtol=1e-12, atol=0)
 
+    # Names that Fluent does not allow are told, with what the file has.
+    mesher.BoundaryNames, mesher.BoundaryMergedNames = ["hot"], ["\u70ed"]
+    with Messages() as said:
+        simple.SaveData(str(folder / "named.msh"), mesher)
+    assert "\u70ed is u70ed. To choose" in str(said), said
+    assert " wall u70ed)" in (folder / "named.msh").read_text()
+
     # What stood there stays, and nothing else, where the new one cannot be written.
     (folder / "folder.msh").mkdir()
     with Messages() as said:

@@ -2,6 +2,7 @@
 #include "Formats/FluentFile.h"
 
 #include "Base/OutputFile.h"
+#include "Formats/AsciiNames.h"
 #include "Formats/UniqueNames.h"
 
 #include <algorithm>
@@ -43,17 +44,12 @@ Kind fluentKind(const FoamPatch& patch)
   }
 }
 
-bool isWallOrSymmetry(const FoamPatch& patch)
+std::string fluentName(const std::string& given)
 {
-  const BoundaryKind kind = kindOf(patch);
-  return kind == BoundaryKind::Wall || kind == BoundaryKind::Symmetry;
-}
-
-std::string fluentName(std::string name)
-{
+  std::string name = asciiName(given);
   std::replace_if(
     name.begin(), name.end(),
-    [](unsigned char c) { return c >= 128 || !(std::isalnum(c) || c == '-' || c == '.'); }, '_');
+    [](unsigned char c) { return !(std::isalnum(c) || c == '-' || c == '.'); }, '_');
   return name;
 }
 
@@ -67,7 +63,7 @@ public:
   {
   }
 
-  void run()
+  std::vector<ChangedName> run()
   {
     file_.text("(0 \"Written by Cartesian Mesher\")\n(2 3)\n");
     numberCells();
@@ -77,6 +73,7 @@ public:
     writeFaces();
     writeZoneNames();
     file_.close();
+    return std::move(changed_);
   }
 
 private:
@@ -84,7 +81,7 @@ private:
   {
     std::string name;
     std::size_t count;
-    bool isSolid;
+    std::vector<FoamPatch> patches = {};
   };
 
   struct FaceZone
@@ -106,7 +103,7 @@ private:
     for (std::size_t region = 0; region < regionCount(); ++region)
     {
       const std::string name = regions_.names.empty() ? "cells" : regions_.names[region];
-      cellZones_.push_back({ name, 0, regionCount() > 1 });
+      cellZones_.push_back({ name, 0 });
     }
     for (std::uint32_t cell = 0; cell < mesh_.cellCount; ++cell)
     {
@@ -139,7 +136,7 @@ private:
       {
         const std::string name =
           ofRegion.size() == 1 ? patch.name : patch.name + "_" + cellZones_[region].name;
-        cellZones_[region].isSolid = cellZones_[region].isSolid && isWallOrSymmetry(patch);
+        cellZones_[region].patches.push_back(patch);
         faceZones_.push_back({ name, fluentKind(patch), std::move(faces) });
       }
     }
@@ -256,12 +253,17 @@ private:
     UniqueNames names(MostBytes);
     int zone = Points;
     const auto write = [&](const char* kind, const std::string& name) {
-      file_.text("(45 (" + std::to_string(++zone) + " " + kind + " " +
-        names.take(fluentName(name)) + ")())\n");
+      const std::string written = names.take(fluentName(name));
+      file_.text("(45 (" + std::to_string(++zone) + " " + kind + " " + written + ")())\n");
+      if (written != name)
+      {
+        changed_.push_back({ name, written });
+      }
     };
     for (const CellZone& cells : cellZones_)
     {
-      write(cells.isSolid ? "solid" : "fluid", cells.name);
+      const bool isSolid = regionCount() > 1 && !isFluid(cells.name, cells.patches);
+      write(isSolid ? "solid" : "fluid", cells.name);
     }
     for (const FaceZone& faces : faceZones_)
     {
@@ -275,16 +277,19 @@ private:
   std::vector<CellZone> cellZones_;
   std::vector<std::uint32_t> number_; // of each cell, from one
   std::vector<FaceZone> faceZones_;   // inner ones first
+  std::vector<ChangedName> changed_;
 };
 
 }
 
-void writeFluent(
+std::vector<ChangedName> writeFluent(
   const FoamMesh& mesh, const FoamRegions& regions, const std::filesystem::path& path)
 {
+  std::vector<ChangedName> changed;
   replaceFiles({ path }, [&](const std::vector<std::filesystem::path>& unfinished) {
-    FluentWriter(mesh, regions, unfinished.front()).run();
+    changed = FluentWriter(mesh, regions, unfinished.front()).run();
   });
+  return changed;
 }
 
 }

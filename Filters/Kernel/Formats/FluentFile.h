@@ -11,13 +11,21 @@
 namespace cartesian
 {
 
+// A name and what the file has instead.
+struct ChangedName
+{
+  std::string given;
+  std::string written;
+};
+
 // Each region is a zone of cells (one called "cells", if there are none), fluid or, where there are several and this
-// one has walls and symmetry planes only, solid. Inner faces are a zone "interior" for each; faces between two
+// one is not fluid (isFluid), solid. Inner faces are a zone "interior" for each; faces between two
 // regions one of type wall, <region>_to_<other>. Each patch is a zone with its name, by its kind wall, symmetry,
 // velocity-inlet or pressure-outlet (which other openings are too); one of several regions is divided,
-// <patch>_<region>, as faces of a zone are of one zone of cells. Characters in names that Fluent does not allow
-// become underscores. Throws Error (CannotWrite).
-void writeFluent(
+// <patch>_<region>, as faces of a zone are of one zone of cells. Letters that Fluent does not allow in names
+// are written as others (asciiName), other characters become underscores, and all names differ. Returns the names that
+// had to change. Throws Error (CannotWrite).
+std::vector<ChangedName> writeFluent(
   const FoamMesh& mesh, const FoamRegions& regions, const std::filesystem::path& path);
 
 }

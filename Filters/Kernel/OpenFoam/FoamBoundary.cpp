@@ -30,6 +30,7 @@ std::string newEntries(const FoamPatch& patch)
                        isMapped                  ? "mappedWall"
                          : isShared              ? "processor"
                          : isCoupled             ? "cyclicAMI"
+                         : !patch.type.empty()   ? patch.type
                          : isOpening(patch.name) ? "patch"
                                                  : "wall") +
     entry("nFaces", "0") + entry("startFace", "0");
@@ -134,7 +135,7 @@ bool isSymmetry(const std::string& name)
 
 BoundaryKind kindOf(const FoamPatch& patch)
 {
-  if (patch.type.rfind("symmetry", 0) == 0)
+  if (patch.type.empty() ? isSymmetry(patch.name) : patch.type.rfind("symmetry", 0) == 0)
   {
     return BoundaryKind::Symmetry;
   }
@@ -145,6 +146,15 @@ BoundaryKind kindOf(const FoamPatch& patch)
   return beginsWith(patch.name, "inlet") ? BoundaryKind::Inlet
     : beginsWith(patch.name, "outlet")   ? BoundaryKind::Outlet
                                          : BoundaryKind::Opening;
+}
+
+bool isFluid(const std::string& region, const std::vector<FoamPatch>& patches)
+{
+  const bool hasOpening = std::any_of(patches.begin(), patches.end(), [](const FoamPatch& patch) {
+    return patch.type.empty() ? isOpening(patch.name)
+                              : patch.type == "patch" || patch.type.rfind("cyclic", 0) == 0;
+  });
+  return beginsWith(region, "fluid") || (hasOpening && !beginsWith(region, "solid"));
 }
 
 FoamBoundary::FoamBoundary(const std::vector<FoamPatch>& patches)

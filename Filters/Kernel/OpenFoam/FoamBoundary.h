@@ -44,10 +44,10 @@ constexpr std::size_t LongestWord = 1000;
 std::string foamWord(const std::string& name);
 
 // Whether flow passes through a boundary, by its name: it begins with inlet, outlet or cyclic, in any case. All
-// others are walls.
+// others are walls, unless they are symmetries.
 bool isOpening(const std::string& name);
 
-// Whether a name begins with symmetry, in upper or lower case.
+// Whether a boundary is a symmetry, by its name: it begins with symmetry, in upper or lower case.
 bool isSymmetry(const std::string& name);
 
 // The kind of a boundary for solvers other than OpenFOAM's: by its type or, without one, by its name.
@@ -61,6 +61,10 @@ enum class BoundaryKind
 };
 
 BoundaryKind kindOf(const FoamPatch& patch);
+
+// Of several regions: fluid or solid, as its name begins, in any case; else fluid if flow passes through one of its
+// patches, by type or, without one, by name.
+bool isFluid(const std::string& region, const std::vector<FoamPatch>& patches);
 
 // The entries of each patch, the text between its brackets.
 class FoamBoundary

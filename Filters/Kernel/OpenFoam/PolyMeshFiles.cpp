@@ -3,6 +3,7 @@
 
 #include "Base/Error.h"
 #include "OpenFoam/LeastSystem.h"
+#include "OpenFoam/SymmetryPlanes.h"
 
 #include <algorithm>
 #include <array>
@@ -16,16 +17,6 @@ namespace cartesian
 
 namespace
 {
-
-// By its name, or if anything may flow through a patch.
-bool isFluid(const std::string& region, const std::vector<FoamPatch>& patches)
-{
-  const auto begins = [&](const char* with) { return region.rfind(with, 0) == 0; };
-  const bool hasOpening = std::any_of(patches.begin(), patches.end(), [](const FoamPatch& patch) {
-    return patch.type == "patch" || patch.type.rfind("cyclic", 0) == 0;
-  });
-  return begins("fluid") || (hasOpening && !begins("solid"));
-}
 
 namespace fs = std::filesystem;
 
@@ -264,7 +255,7 @@ void PolyMeshFiles::write(const FoamMesh& mesh, const std::string& region)
     fs::remove_all(unfinished(polyMesh));
     fs::create_directories(unfinished(polyMesh));
     const FoamBoundary boundary =
-      replaces ? FoamBoundary(polyMesh / "boundary") : FoamBoundary(mesh.patches);
+      replaces ? FoamBoundary(polyMesh / "boundary") : FoamBoundary(withSymmetries(mesh));
     written_.push_back({ polyMesh, replaces, region, boundary.typed(mesh.patches) });
     writeFiles(mesh, boundary, { unfinished(polyMesh), location.string(), format_ });
   });
@@ -336,8 +327,8 @@ void PolyMeshFiles::writeRegionProperties(std::vector<std::filesystem::path>& ke
   }
   kept.push_back(setAside(path));
   FoamFile file(path, FoamFormat::Ascii, { "dictionary", "constant", {} });
-  file.text("// fluid: regions whose names begin with fluid, or with a patch that is not a "
-            "wall.\n\nregions\n(\n    fluid (" +
+  file.text("// fluid: regions whose names begin with fluid, or that flow passes "
+            "through.\n\nregions\n(\n    fluid (" +
     fluid + " )\n    solid (" + solid + " )\n);\n");
   file.close();
 }

@@ -86,7 +86,7 @@ public:
   void write(const FoamMesh& mesh, const std::string& region = {});
 
   // Moves everything written into place. Of regions, writes constant/regionProperties too, where each is fluid or
-  // solid as its name begins, else fluid if it has a patch that is not a wall, as chtMultiRegionFoam requires; one
+  // solid as its name begins, else fluid if flow passes through it (isFluid), as chtMultiRegionFoam requires; one
   // that names all regions is kept, any other is renamed. Returns what was renamed.
   std::vector<std::filesystem::path> replace();
 

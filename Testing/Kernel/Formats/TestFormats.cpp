@@ -1,6 +1,7 @@
 // Fluent's and EnSight's files of two tetrahedra; TestFluent.py and TestEnSight.py have other programs read meshes.
 
 #include "Base/Error.h"
+#include "Formats/AsciiNames.h"
 #include "Formats/EnSightFiles.h"
 #include "Formats/FacesOfCells.h"
 #include "Formats/FluentFile.h"
@@ -75,6 +76,39 @@ TEST_F(Formats, FluentDividesABoundaryOfTwoRegions)
               "(45 (7 symmetry side_inlet)())\n"),
     std::string::npos)
     << text;
+}
+
+// As constant/regionProperties of OpenFOAM cases says.
+TEST_F(Formats, FluentTakesRegionsForFluidByTheirNamesToo)
+{
+  FoamMesh mesh = twoTetrahedra();
+  mesh.patches[0].name = "side_1";
+  writeFluent(mesh, { { "fluid", "solid" }, { 1, 0 } }, folder / "a.msh");
+  const std::string text = read("a.msh");
+  EXPECT_NE(text.find("(45 (2 fluid fluid)())\n(45 (3 solid solid)())\n"), std::string::npos)
+    << text;
+}
+
+TEST_F(Formats, FluentTellsWhichNamesItHadToChange)
+{
+  FoamMesh mesh = twoTetrahedra();
+  mesh.patches[0].name = "\u8fdb\u53e3";
+  mesh.patches[1].name = "Geh\u00e4use";
+  const std::vector<ChangedName> changed = writeFluent(mesh, {}, folder / "a.msh");
+  const std::string text = read("a.msh");
+  EXPECT_NE(text.find("wall u8fdbu53e3)())\n(45 (5 symmetry Gehaeuse)"), std::string::npos) << text;
+  ASSERT_EQ(changed.size(), 2U);
+  EXPECT_EQ(changed[0].given, "\u8fdb\u53e3");
+  EXPECT_EQ(changed[0].written, "u8fdbu53e3");
+  EXPECT_TRUE(writeFluent(twoTetrahedra(), {}, folder / "a.msh").empty());
+}
+
+TEST(AsciiNames, AreThoseOfTheLettersElseNumbers)
+{
+  EXPECT_EQ(asciiName("a_1-b.c:"), "a_1-b.c:");
+  EXPECT_EQ(asciiName("\u00c0\u00e9\u00df\u017e\u017f"), "Aesszs");
+  EXPECT_EQ(asciiName("\u0391\u03c9 \u0410\u0431\u044f"), "Ao Abya");
+  EXPECT_EQ(asciiName("\u00b0\u0180\u0450\U0001f600"), "u00b0u0180u0450u1f600");
 }
 
 TEST_F(Formats, EnSightHasAPartOfEachRegionAndPatch)
