@@ -162,7 +162,9 @@ void vtkCADReader::Describe(const cartesian::CadContent& content)
   {
     const bool isSolid = solid.volume != 0;
     this->FoundSolids->InsertNextValue(solid.name);
-    this->FoundSolids->InsertNextValue(isSolid ? cartesian::number(solid.volume) : "open");
+    this->FoundSolids->InsertNextValue(isSolid ? cartesian::number(solid.volume)
+        : solid.openEdges > 0                  ? "open"
+                                               : "not known");
     this->FoundSolids->InsertNextValue(
       isSolid ? Difference(solid.volumeOfTriangles / solid.volume - 1) : "");
     this->FoundSolids->InsertNextValue(cartesian::number(solid.area));

@@ -2,17 +2,16 @@
 #include "CadTriangles.h"
 
 #include "CadEdges.h"
+#include "CadMeasures.h"
 #include "CadProgress.h"
 #include "CadWeld.h"
 
 #include <BRepBndLib.hxx>
-#include <BRepGProp.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <GProp_GProps.hxx>
 #include <IMeshTools_Parameters.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp_Explorer.hxx>
@@ -240,16 +239,14 @@ private:
       const gp_XYZ origin(solid_.points[0], solid_.points[1], solid_.points[2]);
       solid_.volumeOfTriangles += determinant(at(0) - origin, at(1) - origin, at(2) - origin) / 6;
     }
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(part_.shape, properties);
-    solid_.area = properties.Mass() / (unit_ * unit_);
-    if (part_.shape.ShapeType() == TopAbs_SOLID)
+    solid_.area = areaOf(part_.shape) / (unit_ * unit_);
+    if (part_.shape.ShapeType() != TopAbs_SOLID)
     {
-      GProp_GProps inside;
-      BRepGProp::VolumeProperties(part_.shape, inside);
-      solid_.volume = inside.Mass() / (unit_ * unit_ * unit_);
+      return;
     }
-    if (solid_.volume < 0)
+    const CadVolume exact = volumeOf(part_.shape);
+    solid_.volume = exact.isCertain ? std::abs(exact.value) / (unit_ * unit_ * unit_) : 0;
+    if (exact.value < 0)
     {
       turnOver();
     }
@@ -258,7 +255,6 @@ private:
   // A solid that the file has inside out.
   void turnOver()
   {
-    solid_.volume = -solid_.volume;
     solid_.volumeOfTriangles = -solid_.volumeOfTriangles;
     for (std::size_t i = 0; i < solid_.triangles.size(); i += 3)
     {
@@ -283,10 +279,11 @@ struct Attempt
   int flaws = 0;
 };
 
-// Whether triangles enclose as much as a closed shape, except for what they may cut off.
+// Whether triangles enclose as much as a closed shape, except for what they may cut off. True if it is not known how much.
 bool enclosesAll(const CadSolid& solid, double deflection)
 {
-  return std::abs(solid.volumeOfTriangles - solid.volume) <= 2 * solid.area * deflection;
+  return solid.volume == 0 ||
+    std::abs(solid.volumeOfTriangles - solid.volume) <= 2 * solid.area * deflection;
 }
 
 // `deflection`: in the unit of the result.
@@ -325,6 +322,12 @@ void tell(const CadPart& part, const CadSolid& solid, double deflection, const C
     report.warning(where +
       " is closed, but its triangles are not: " + std::to_string(solid.openEdges) +
       " of their edges are open. Choose a smaller Deflection, or export the part again.");
+  }
+  if (free == 0 && solid.volume == 0)
+  {
+    report.note("The exact volume of " + where +
+      " is not known: two ways to integrate it disagree, so the triangles cannot be compared with "
+      "it.");
   }
   if (free == 0 && !enclosesAll(solid, deflection))
   {

@@ -142,7 +142,7 @@ struct CadSolid
   std::vector<std::int32_t> boundary;  // of each triangle
   std::vector<std::int64_t> lines;     // sharp edges, two points each
   std::vector<std::int32_t> boundaryOfLine;
-  double volume = 0; // of the exact shape; 0 if it is open
+  double volume = 0; // of the exact shape; 0 if it is open, or not known
   double area = 0;   // of the exact shape
   double deflection = 0;
   double volumeOfTriangles = 0;
