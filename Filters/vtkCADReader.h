@@ -117,6 +117,27 @@ public:
   vtkSetMacro(MergeCoplanar, bool);
   vtkGetMacro(MergeCoplanar, bool);
 
+  enum Encodings
+  {
+    Guessed, ///< UTF-8; of a file that is not, what is frequent in a language tells
+    Utf8,
+    WesternEuropean,
+    CentralEuropean,
+    Cyrillic,
+    Greek,
+    Turkish,
+    SimplifiedChinese,
+    TraditionalChinese,
+    Japanese,
+    Korean
+  };
+
+  /**
+   * In which encoding the file has its names; default Guessed.
+   */
+  vtkSetMacro(NameEncoding, int);
+  vtkGetMacro(NameEncoding, int);
+
   /**
    * Seconds after which a file that is not read is given up; 0: never. Default 1800.
    */
@@ -159,6 +180,7 @@ private:
   double HealTolerance = 0;
   bool GlueSolids = true;
   bool MergeCoplanar = false;
+  int NameEncoding = Guessed;
   double TimeLimit = 1800;
   vtkNew<vtkStringArray> FoundSolids;
   vtkNew<vtkStringArray> Findings;

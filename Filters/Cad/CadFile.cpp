@@ -2,14 +2,19 @@
 #include "CadFile.h"
 
 #include "CadAssembly.h"
+#include "CadEncoding.h"
 #include "CadProgress.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <IGESBasic_Name.hxx>
 #include <IGESCAFControl_Reader.hxx>
+#include <IGESData_IGESEntity.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TDocStd_Document.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
@@ -19,6 +24,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace cartesian
 {
@@ -44,7 +50,40 @@ void checkRead(IFSelect_ReturnStatus status, const std::string& format)
   }
 }
 
-CadFile readStep(const std::string& path, const CadReport& report)
+// What the file is in. Open CASCADE takes UTF-8 only.
+CadEncoding encodingOf(const std::string& text, CadEncoding asked, const CadReport& report)
+{
+  if (asked != CadEncoding::Automatic || isUtf8(text))
+  {
+    return asked == CadEncoding::Automatic ? CadEncoding::Utf8 : asked;
+  }
+  const CadEncoding guessed = guessedEncoding(text);
+  report.note("The file is not in UTF-8: its names are taken to be " + nameOf(guessed) +
+    ". If they are garbled, choose another Name Encoding.");
+  return guessed;
+}
+
+std::string contentOf(const std::string& path)
+{
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  return content.str();
+}
+
+IFSelect_ReturnStatus readStepModel(STEPCAFControl_Reader& reader, const std::string& path,
+  const CadOptions& options, const CadReport& report)
+{
+  const std::string text = contentOf(path);
+  const CadEncoding encoding = encodingOf(text, options.encoding, report);
+  if (encoding == CadEncoding::Utf8)
+  {
+    return reader.ReadFile(path.c_str());
+  }
+  std::istringstream stream(toUtf8(text, encoding));
+  return reader.ChangeReader().ReadStream(path.c_str(), stream);
+}
+
+CadFile readStep(const std::string& path, const CadOptions& options, const CadReport& report)
 {
   STEPCAFControl_Controller::Init(); // before any parameter
   STEPCAFControl_Reader reader;
@@ -53,7 +92,7 @@ CadFile readStep(const std::string& path, const CadReport& report)
   reader.SetColorMode(Standard_True);
   reader.SetNameMode(Standard_True);
   reader.SetLayerMode(Standard_True);
-  checkRead(reader.ReadFile(path.c_str()), "STEP");
+  checkRead(readStepModel(reader, path, options, report), "STEP");
   noteDamage(reader.Reader().WS()->Model(), report);
   report.progress(0.3);
   Handle(TDocStd_Document) document = newDocument();
@@ -65,7 +104,29 @@ CadFile readStep(const std::string& path, const CadReport& report)
   return { partsOf(document, namesOfShapes(reader.Reader().WS(), report)), true };
 }
 
-CadFile readIges(const std::string& path, const CadReport& report)
+// Entities, not the file, which counts the bytes of its texts.
+void setNames(const Handle(Interface_InterfaceModel) & model, CadEncoding encoding)
+{
+  const auto converted = [&](const Handle(TCollection_HAsciiString) & text) {
+    return new TCollection_HAsciiString(toUtf8(text->ToCString(), encoding).c_str());
+  };
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const Handle(IGESBasic_Name) name = Handle(IGESBasic_Name)::DownCast(model->Value(i));
+    const Handle(IGESData_IGESEntity) entity =
+      Handle(IGESData_IGESEntity)::DownCast(model->Value(i));
+    if (!name.IsNull() && !name->Value().IsNull())
+    {
+      name->Init(name->NbPropertyValues(), converted(name->Value()));
+    }
+    if (!entity.IsNull() && entity->HasShortLabel())
+    {
+      entity->SetLabel(converted(entity->ShortLabel()), entity->SubScriptNumber());
+    }
+  }
+}
+
+CadFile readIges(const std::string& path, const CadOptions& options, const CadReport& report)
 {
   STEPCAFControl_Controller::Init();
   IGESCAFControl_Reader reader;
@@ -73,7 +134,12 @@ CadFile readIges(const std::string& path, const CadReport& report)
   reader.SetColorMode(Standard_True);
   reader.SetNameMode(Standard_True);
   reader.SetLayerMode(Standard_True);
+  const CadEncoding encoding = encodingOf(contentOf(path), options.encoding, report);
   checkRead(reader.ReadFile(path.c_str()), "IGES");
+  if (encoding != CadEncoding::Utf8)
+  {
+    setNames(reader.WS()->Model(), encoding);
+  }
   noteDamage(reader.WS()->Model(), report);
   report.progress(0.3);
   Handle(TDocStd_Document) document = newDocument();
@@ -117,16 +183,16 @@ CadFile readBrep(const std::string& path)
 
 }
 
-CadFile readCadFile(const std::string& given, const CadReport& report)
+CadFile readCadFile(const std::string& given, const CadOptions& options, const CadReport& report)
 {
   // Files that this one refers to are sought beside it.
   const std::string path = std::filesystem::absolute(given).string();
   std::string suffix = std::filesystem::path(path).extension().string();
   std::transform(
     suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return std::tolower(c); });
-  CadFile file = suffix == ".igs" || suffix == ".iges" ? readIges(path, report)
+  CadFile file = suffix == ".igs" || suffix == ".iges" ? readIges(path, options, report)
     : suffix == ".brep"                                ? readBrep(path)
-                                                       : readStep(path, report);
+                                                       : readStep(path, options, report);
   const auto isEmpty = [](const CadPart& part) { return part.faces.empty(); };
   file.parts.erase(std::remove_if(file.parts.begin(), file.parts.end(), isEmpty), file.parts.end());
   if (file.parts.empty())

@@ -3,6 +3,7 @@
 // colours and layers of their faces.
 #pragma once
 
+#include "CadOptions.h"
 #include "CadPart.h"
 
 namespace cartesian
@@ -16,6 +17,6 @@ struct CadFile
 };
 
 // Throws CadError: the file cannot be read, or has neither solids nor faces.
-CadFile readCadFile(const std::string& given, const CadReport& report);
+CadFile readCadFile(const std::string& given, const CadOptions& options, const CadReport& report);
 
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read-cad FILE UNIT DEFLECTION ANGLE NAMES HEAL GLUE MERGE: reads a CAD file for vtkCADReader, and writes records (Stream.h)
+// read-cad FILE UNIT DEFLECTION ANGLE NAMES HEAL GLUE MERGE ENCODING: reads a CAD file for vtkCADReader, and writes records (Stream.h)
 // to its standard output. A process of its own, as Open CASCADE crashes on some damaged files and takes for ever with
 // others.
 #include "CadFile.h"
@@ -90,6 +90,7 @@ CadOptions optionsFrom(char** words)
   options.healTolerance = std::atof(words[4]);
   options.gluesSolids = std::atoi(words[5]) != 0;
   options.mergesCoplanar = std::atoi(words[6]) != 0;
+  options.encoding = static_cast<CadEncoding>(std::atoi(words[7]));
   return options;
 }
 
@@ -100,7 +101,7 @@ void read(const std::string& path, const CadOptions& options, Output& output)
   report.note = [&](const std::string& text) { output.write(Record::Note, text); };
   report.warning = [&](const std::string& text) { output.write(Record::Warning, text); };
 
-  CadFile file = readCadFile(path, report);
+  CadFile file = readCadFile(path, options, report);
   heal(file, options, report);
   divideAtKinks(file.parts, report);
   if (options.mergesCoplanar)
@@ -133,7 +134,7 @@ void read(const std::string& path, const CadOptions& options, Output& output)
 
 int main(int count, char** words)
 {
-  if (count != 9)
+  if (count != 10)
   {
     std::fputs("read-cad is started by the CAD Reader of CartesianMesher.\n", stderr);
     return EXIT_FAILURE;

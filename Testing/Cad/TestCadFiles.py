@@ -8,7 +8,7 @@ import tempfile
 
 import numpy as np
 
-from cadfiles import Content, facts_of
+from cadfiles import Content, facts_of, run
 
 FOLDER = pathlib.Path(sys.argv[1])
 FACTS = facts_of(FOLDER)
@@ -276,17 +276,5 @@ def test_time_limit():
     assert content.is_error and "Time Limit" in content.said and not content.blocks, content.said
 
 
-def main():
-    failures = 0
-    for name, test in list(globals().items()):
-        if name.startswith("test_"):
-            try:
-                test()
-            except AssertionError as failure:
-                failures += 1
-                print(f"{name}: {failure}")
-    sys.exit(failures > 0)
-
-
 if __name__ == "__main__":
-    main()
+    run(globals())

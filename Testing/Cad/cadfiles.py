@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import sys
 
 import numpy as np
 from cartesianmesher.vtkCartesianMesherFilters import vtkCADReader
@@ -108,3 +109,16 @@ class Content:
 
 def facts_of(folder):
     return json.loads((pathlib.Path(folder) / "facts.json").read_text(encoding="utf-8"))
+
+
+def run(functions):
+    """Those that are tests; all of them, whatever fails."""
+    failures = 0
+    for name, test in list(functions.items()):
+        if name.startswith("test_"):
+            try:
+                test()
+            except AssertionError as failure:
+                failures += 1
+                print(f"{name}: {failure}")
+    sys.exit(failures > 0)
