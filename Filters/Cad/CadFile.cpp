@@ -4,6 +4,8 @@
 #include "CadAssembly.h"
 #include "CadEncoding.h"
 #include "CadProgress.h"
+#include "CadReferences.h"
+#include "CadTessellation.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -70,17 +72,60 @@ std::string contentOf(const std::string& path)
   return content.str();
 }
 
+// Gives its text in UTF-8.
 IFSelect_ReturnStatus readStepModel(STEPCAFControl_Reader& reader, const std::string& path,
-  const CadOptions& options, const CadReport& report)
+  const CadOptions& options, std::string& text, const CadReport& report)
 {
-  const std::string text = contentOf(path);
+  text = contentOf(path);
   const CadEncoding encoding = encodingOf(text, options.encoding, report);
   if (encoding == CadEncoding::Utf8)
   {
     return reader.ReadFile(path.c_str());
   }
-  std::istringstream stream(toUtf8(text, encoding));
+  text = toUtf8(text, encoding);
+  std::istringstream stream(text);
   return reader.ChangeReader().ReadStream(path.c_str(), stream);
+}
+
+bool hasFaces(const std::vector<CadPart>& parts)
+{
+  return std::any_of(
+    parts.begin(), parts.end(), [](const CadPart& part) { return !part.faces.empty(); });
+}
+
+// Throws CadError if all that the file has is elsewhere.
+void tellUnread(const STEPCAFControl_Reader& reader, bool hasSome, const CadReport& report)
+{
+  const std::vector<std::string> unread = unreadFiles(reader);
+  const std::vector<std::string> files = unread.empty() && !hasSome ? namedFiles(reader) : unread;
+  if (files.empty())
+  {
+    return;
+  }
+  const std::string where =
+    " in other files, which are not beside it or cannot be read: " + listOf(files) +
+    ". Put them into the same folder as STEP files, or export the assembly as one file.";
+  if (!hasSome)
+  {
+    throw CadError("has its parts" + where);
+  }
+  report.warning("Parts are missing: they are" + where);
+}
+
+CadFile tessellatedFile(const std::string& text, const CadReport& report)
+{
+  report.note("The file has triangles instead of exact shapes. They are taken as they are: "
+              "Deflection, Angle, Heal "
+              "Tolerance, Glue Solids and Merge Coplanar do nothing.");
+  CadFile file;
+  file.parts = tessellatedParts(text);
+  if (!hasFaces(file.parts))
+  {
+    throw CadError(
+      "holds triangles that belong to no solid, or is damaged. Export exact shapes (BREP).");
+  }
+  file.isTessellated = true;
+  return file;
 }
 
 CadFile readStep(const std::string& path, const CadOptions& options, const CadReport& report)
@@ -92,16 +137,30 @@ CadFile readStep(const std::string& path, const CadOptions& options, const CadRe
   reader.SetColorMode(Standard_True);
   reader.SetNameMode(Standard_True);
   reader.SetLayerMode(Standard_True);
-  checkRead(readStepModel(reader, path, options, report), "STEP");
+  std::string text;
+  checkRead(readStepModel(reader, path, options, text, report), "STEP");
+  const bool isTessellated = holdsTriangles(text);
+  text = isTessellated ? text : std::string();
   noteDamage(reader.Reader().WS()->Model(), report);
   report.progress(0.3);
   Handle(TDocStd_Document) document = newDocument();
   const Handle(CadProgress) progress = new CadProgress(report, 0.3, 0.5);
-  if (!reader.Transfer(document, progress->Start()))
+  CadFile file;
+  const bool isTransferred = reader.Transfer(document, progress->Start());
+  if (isTransferred)
+  {
+    file.parts = partsOf(document, namesOfShapes(reader.Reader().WS(), report));
+  }
+  if (isTessellated && !hasFaces(file.parts))
+  {
+    return tessellatedFile(text, report);
+  }
+  tellUnread(reader, hasFaces(file.parts), report);
+  if (!isTransferred)
   {
     throw CadError(NoShapes);
   }
-  return { partsOf(document, namesOfShapes(reader.Reader().WS(), report)), true };
+  return file;
 }
 
 // Entities, not the file, which counts the bytes of its texts.
@@ -148,7 +207,11 @@ CadFile readIges(const std::string& path, const CadOptions& options, const CadRe
   {
     throw CadError(NoShapes);
   }
-  return { partsOf(document, {}), false };
+  CadFile file;
+  tellLostGeometry(reader.WS(), report);
+  file.parts = partsOf(document, {});
+  file.hasTopology = false;
+  return file;
 }
 
 // Null if there is none.
@@ -178,7 +241,9 @@ CadFile readBrep(const std::string& path)
   }
   Handle(TDocStd_Document) document = newDocument();
   XCAFDoc_DocumentTool::ShapeTool(document->Main())->AddShape(shape, Standard_False);
-  return { partsOf(document, {}), true };
+  CadFile file;
+  file.parts = partsOf(document, {});
+  return file;
 }
 
 }

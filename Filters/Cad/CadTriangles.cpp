@@ -2,6 +2,7 @@
 #include "CadTriangles.h"
 
 #include "CadEdges.h"
+#include "CadGaps.h"
 #include "CadMeasures.h"
 #include "CadProgress.h"
 #include "CadWeld.h"
@@ -232,12 +233,14 @@ private:
   {
     for (std::size_t i = 0; i < solid_.triangles.size(); i += 3)
     {
-      const auto at = [&](std::size_t c) {
-        const double* p = solid_.points.data() + 3 * solid_.triangles[i + c];
-        return gp_XYZ(p[0], p[1], p[2]);
-      };
       const gp_XYZ origin(solid_.points[0], solid_.points[1], solid_.points[2]);
-      solid_.volumeOfTriangles += determinant(at(0) - origin, at(1) - origin, at(2) - origin) / 6;
+      solid_.volumeOfTriangles +=
+        determinant(at(i) - origin, at(i + 1) - origin, at(i + 2) - origin) / 6;
+    }
+    if (isTessellated(part_.shape))
+    {
+      measureTriangles();
+      return;
     }
     solid_.area = areaOf(part_.shape) / (unit_ * unit_);
     if (part_.shape.ShapeType() != TopAbs_SOLID)
@@ -250,6 +253,28 @@ private:
     {
       turnOver();
     }
+  }
+
+  // Which are all that there is.
+  void measureTriangles()
+  {
+    solid_.knowsEdges = 0;
+    for (std::size_t i = 0; i < solid_.triangles.size(); i += 3)
+    {
+      solid_.area += ((at(i + 1) - at(i)) ^ (at(i + 2) - at(i))).Modulus() / 2;
+    }
+    if (solid_.volumeOfTriangles < 0)
+    {
+      turnOver();
+    }
+    solid_.volume = solid_.openEdges == 0 ? solid_.volumeOfTriangles : 0;
+  }
+
+  // A triangle's corner.
+  gp_XYZ at(std::size_t corner) const
+  {
+    const double* p = solid_.points.data() + 3 * solid_.triangles[corner];
+    return { p[0], p[1], p[2] };
   }
 
   // A solid that the file has inside out.
@@ -304,6 +329,20 @@ Attempt weldAll(const std::vector<CadPart>& parts, const CadBoundaries& boundari
   return attempt;
 }
 
+std::string adviceFor(const CadPart& open, const CadOptions& options)
+{
+  const double gap = widestGap(open.shape) / options.unit;
+  if (gap > 0)
+  {
+    return "Gaps of up to " + numberText(gap) +
+      " are between its faces: set a larger Heal Tolerance, or export the part as a solid.";
+  }
+  return open.shape.ShapeType() == TopAbs_SOLID
+    ? "There are no gaps to close: a face is missing. Export the part again."
+    : "There are no gaps to close: it is a sheet. If it is meant, it can be a boundary of type "
+      "baffle; else export the part as a solid.";
+}
+
 // What the user must know of a part.
 void tell(const CadPart& part, const CadSolid& solid, double deflection, const CadOptions& options,
   const CadReport& report)
@@ -313,9 +352,7 @@ void tell(const CadPart& part, const CadSolid& solid, double deflection, const C
   if (free > 0)
   {
     report.warning(where + " is open: " + std::to_string(free) +
-      " edges bound one face only, so it encloses nothing. Set a Heal Tolerance if these are gaps, "
-      "or export "
-      "the part as a solid.");
+      " edges bound one face only, so it encloses nothing. " + adviceFor(part, options));
   }
   else if (solid.openEdges > 0)
   {
@@ -337,6 +374,25 @@ void tell(const CadPart& part, const CadSolid& solid, double deflection, const C
   }
 }
 
+}
+
+std::vector<CadSolid> trianglesOf(const std::vector<CadPart>& parts,
+  const CadBoundaries& boundaries, const CadOptions& options, const CadReport& report)
+{
+  Attempt attempt = weldAll(parts, boundaries, options, 0);
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    const CadSolid& solid = attempt.solids[p];
+    if (solid.openEdges > 0)
+    {
+      report.warning(solid.name + " at " + placeOf(parts[p].shape, options.unit) +
+        " is open: triangles are all that the file has of it, and " +
+        std::to_string(solid.openEdges) +
+        " of their edges have no neighbour. Export the exact shape (BREP) instead of a tessellated "
+        "one.");
+    }
+  }
+  return std::move(attempt.solids);
 }
 
 std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,

@@ -94,21 +94,16 @@ CadOptions optionsFrom(char** words)
   return options;
 }
 
-void read(const std::string& path, const CadOptions& options, Output& output)
+// Exact shapes, for triangulation.
+void prepare(
+  CadFile& file, const std::string& name, const CadOptions& options, const CadReport& report)
 {
-  CadReport report;
-  report.progress = [&](double done) { output.write(Record::Progress, done); };
-  report.note = [&](const std::string& text) { output.write(Record::Note, text); };
-  report.warning = [&](const std::string& text) { output.write(Record::Warning, text); };
-
-  CadFile file = readCadFile(path, options, report);
   heal(file, options, report);
   divideAtKinks(file.parts, report);
   if (options.mergesCoplanar)
   {
     mergeCoplanar(file.parts, report);
   }
-  const std::string name = std::filesystem::path(path).stem().string();
   numberAlike(file.parts, name);
   if (options.gluesSolids)
   {
@@ -119,9 +114,30 @@ void read(const std::string& path, const CadOptions& options, Output& output)
   {
     noteNeighbours(file.parts, report);
   }
+}
+
+void read(const std::string& path, const CadOptions& options, Output& output)
+{
+  CadReport report;
+  report.progress = [&](double done) { output.write(Record::Progress, done); };
+  report.note = [&](const std::string& text) { output.write(Record::Note, text); };
+  report.damage = [&](const std::string& text) { output.write(Record::Damage, text); };
+  report.warning = [&](const std::string& text) { output.write(Record::Warning, text); };
+
+  CadFile file = readCadFile(path, options, report);
+  const std::string name = std::filesystem::path(path).stem().string();
+  if (file.isTessellated)
+  {
+    numberAlike(file.parts, name);
+  }
+  else
+  {
+    prepare(file, name, options, report);
+  }
   const CadBoundaries boundaries = boundariesOf(file.parts, options.names, report);
   output.write(Record::Names, boundaries.names);
-  for (CadSolid& solid : triangulate(file.parts, boundaries, options, report))
+  const auto make = file.isTessellated ? trianglesOf : triangulate;
+  for (CadSolid& solid : make(file.parts, boundaries, options, report))
   {
     Packer packer;
     solid.visit([&](const auto& value) { packer.add(value); });

@@ -28,7 +28,7 @@ class Solid:
         names = cells.GetAbstractArray("BoundaryName")
         self.boundaries = np.array([names.GetValue(i) for i in range(line_count, line_count + count)])
         self.ids = vtk_to_numpy(cells.GetArray("BoundaryId"))[line_count:]
-        self.sharp = vtk_to_numpy(cells.GetArray("SharpEdge"))
+        self.sharp = vtk_to_numpy(cells.GetArray("SharpEdge")) if cells.HasArray("SharpEdge") else None
         self.names = {fields.GetArray("BoundaryIds").GetValue(i): fields.GetAbstractArray("BoundaryNames").GetValue(i)
                       for i in range(fields.GetArray("BoundaryIds").GetNumberOfTuples())}
 
