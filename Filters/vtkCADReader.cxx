@@ -95,6 +95,10 @@ void vtkCADReader::Check() const
   {
     Refuse("Boundary Names From", this->BoundaryNamesFrom, "0 to 5");
   }
+  if (this->NameEncoding < Guessed || this->NameEncoding > Korean)
+  {
+    Refuse("Name Encoding", this->NameEncoding, "0 to 10");
+  }
   if (!this->FileName || !*this->FileName)
   {
     throw cartesian::Error(
@@ -112,7 +116,8 @@ std::vector<std::string> vtkCADReader::Arguments() const
   const double unit = MillimetresInUnits[static_cast<std::size_t>(this->LengthUnit)] / this->Scale;
   return { this->FileName, Word(unit), Word(this->Deflection), Word(this->Angle),
     std::to_string(this->BoundaryNamesFrom), Word(this->HealTolerance),
-    std::to_string(this->GlueSolids), std::to_string(this->MergeCoplanar) };
+    std::to_string(this->GlueSolids), std::to_string(this->MergeCoplanar),
+    std::to_string(this->NameEncoding) };
 }
 
 int vtkCADReader::RequestData(
@@ -162,7 +167,9 @@ void vtkCADReader::Describe(const cartesian::CadContent& content)
   {
     const bool isSolid = solid.volume != 0;
     this->FoundSolids->InsertNextValue(solid.name);
-    this->FoundSolids->InsertNextValue(isSolid ? cartesian::number(solid.volume) : "open");
+    this->FoundSolids->InsertNextValue(isSolid ? cartesian::number(solid.volume)
+        : solid.openEdges > 0                  ? "open"
+                                               : "not known");
     this->FoundSolids->InsertNextValue(
       isSolid ? Difference(solid.volumeOfTriangles / solid.volume - 1) : "");
     this->FoundSolids->InsertNextValue(cartesian::number(solid.area));
@@ -193,5 +200,6 @@ void vtkCADReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HealTolerance: " << this->HealTolerance << "\n";
   os << indent << "GlueSolids: " << this->GlueSolids << "\n";
   os << indent << "MergeCoplanar: " << this->MergeCoplanar << "\n";
+  os << indent << "NameEncoding: " << this->NameEncoding << "\n";
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
 }

@@ -10,7 +10,7 @@
  * Cells of a block: lines, which are the sharp edges, those at which faces meet that are not tangent; then triangles.
  * Cell arrays: BoundaryId (int), the same numbers in all blocks; BoundaryName (string); SharpEdge (unsigned char), 1 of lines,
  * 0 of triangles. Field data of a block: BoundaryIds (int) and BoundaryNames (string), its boundaries; SolidName (string);
- * Volume and Area of the exact shape (Volume is 0 of one that is open), VolumeOfTriangles; OpenEdges, of triangles without
+ * Volume and Area of the exact shape (Volume is 0 of one that is open, and where it is not known to 1e-6), VolumeOfTriangles; OpenEdges, of triangles without
  * a neighbour; Deflection, the one that was asked for, also where it is the default.
  *
  * Open CASCADE reads the files, in a process of its own (Filters/Cad): it may crash on damaged files.
@@ -117,6 +117,27 @@ public:
   vtkSetMacro(MergeCoplanar, bool);
   vtkGetMacro(MergeCoplanar, bool);
 
+  enum Encodings
+  {
+    Guessed, ///< UTF-8; of a file that is not, what is frequent in a language tells
+    Utf8,
+    WesternEuropean,
+    CentralEuropean,
+    Cyrillic,
+    Greek,
+    Turkish,
+    SimplifiedChinese,
+    TraditionalChinese,
+    Japanese,
+    Korean
+  };
+
+  /**
+   * In which encoding the file has its names; default Guessed.
+   */
+  vtkSetMacro(NameEncoding, int);
+  vtkGetMacro(NameEncoding, int);
+
   /**
    * Seconds after which a file that is not read is given up; 0: never. Default 1800.
    */
@@ -159,6 +180,7 @@ private:
   double HealTolerance = 0;
   bool GlueSolids = true;
   bool MergeCoplanar = false;
+  int NameEncoding = Guessed;
   double TimeLimit = 1800;
   vtkNew<vtkStringArray> FoundSolids;
   vtkNew<vtkStringArray> Findings;

@@ -599,9 +599,10 @@ std::unique_ptr<cartesian::Decomposition> vtkCartesianGridAlgorithm::Divide(
   cartesian::Options options = this->MakeOptions();
   this->AddRefinement(source, surfaces, std::move(sizes), options);
   auto decomposition = cartesian::decompose(prepared, options, execution);
-  for (const std::string& warning : { cartesian::describeOverhang(prepared),
-         cartesian::describeShortfall(options.domain, this->FlowOf(source, options)),
-         decomposition->warnings() })
+  for (const std::string& warning :
+    { cartesian::describeOverhang(prepared), cartesian::describeTiny(prepared, options),
+      cartesian::describeShortfall(options.domain, this->FlowOf(source, options)),
+      decomposition->warnings() })
   {
     this->Warn(warning);
   }

@@ -22,7 +22,10 @@ namespace cartesian
 namespace
 {
 
-std::string toUtf8(const TCollection_ExtendedString& text)
+// What Open CASCADE calls a product without a name.
+constexpr const char* NameByTranslator = "Open CASCADE STEP translator";
+
+std::string textOf(const TCollection_ExtendedString& text)
 {
   return TCollection_AsciiString(text).ToCString();
 }
@@ -30,7 +33,9 @@ std::string toUtf8(const TCollection_ExtendedString& text)
 std::string nameOf(const TDF_Label& label)
 {
   Handle(TDataStd_Name) name;
-  return label.FindAttribute(TDataStd_Name::GetID(), name) ? toUtf8(name->Get()) : "";
+  const std::string text =
+    label.FindAttribute(TDataStd_Name::GetID(), name) ? textOf(name->Get()) : "";
+  return text.rfind(NameByTranslator, 0) == 0 ? "" : text;
 }
 
 std::string hexadecimal(const Quantity_Color& color)
@@ -62,7 +67,7 @@ public:
     shapes_->GetFreeShapes(roots);
     for (const TDF_Label& root : roots)
     {
-      walk(root, TopLoc_Location(), "", {});
+      walk(root, TopLoc_Location(), {}, {});
     }
     return std::move(parts_);
   }
@@ -74,8 +79,16 @@ private:
     std::string layer;
   };
 
-  void walk(const TDF_Label& label, const TopLoc_Location& place, const std::string& instance,
-    const Style& outer)
+  // A product that holds more than its solid, such as axes or a sheet, is an assembly of shapes without names: theirs are
+  // those of what holds them.
+  struct Names
+  {
+    std::string instance;
+    std::string product;
+  };
+
+  void walk(
+    const TDF_Label& label, const TopLoc_Location& place, const Names& names, const Style& outer)
   {
     Style style = styleOf(label);
     style.color = outer.color.empty() ? style.color : outer.color;
@@ -84,29 +97,34 @@ private:
     {
       TDF_Label product;
       XCAFDoc_ShapeTool::GetReferredShape(label, product);
-      walk(product, place * XCAFDoc_ShapeTool::GetLocation(label), nameOf(label), style);
+      const std::string own = nameOf(label);
+      const bool isUnnamed = own.empty() && nameOf(product).empty();
+      walk(product, place * XCAFDoc_ShapeTool::GetLocation(label),
+        { isUnnamed ? names.instance : own, own.empty() ? names.product : own }, style);
     }
     else if (XCAFDoc_ShapeTool::IsAssembly(label))
     {
+      const std::string product = nameOf(label).empty() ? names.product : nameOf(label);
       TDF_LabelSequence components;
       XCAFDoc_ShapeTool::GetComponents(label, components);
       for (const TDF_Label& component : components)
       {
-        walk(component, place, "", style);
+        walk(component, place, { names.instance, product }, style);
       }
     }
     else
     {
-      addShape(label, place, instance, style);
+      addShape(label, place, names, style);
     }
   }
 
   // A product's own name is the better one: instances are often called by numbers.
-  void addShape(const TDF_Label& label, const TopLoc_Location& place, const std::string& instance,
-    const Style& style)
+  void addShape(
+    const TDF_Label& label, const TopLoc_Location& place, const Names& names, const Style& style)
   {
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
-    const std::string product = nameOf(label).empty() ? instance : nameOf(label);
+    const std::string& instance = names.instance;
+    const std::string product = nameOf(label).empty() ? names.product : nameOf(label);
     const TopTools_IndexedMapOfShape solids = solidsOf(shape);
     for (int i = 1; i <= solids.Extent(); ++i)
     {
@@ -165,7 +183,7 @@ private:
     Handle(TColStd_HSequenceOfExtendedString) layers;
     if (layers_->GetLayers(label, layers) && layers->Length() > 0)
     {
-      style.layer = toUtf8(layers->First());
+      style.layer = textOf(layers->First());
     }
     return style;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CadEntities.h"
 
+#include <IGESData_IGESEntity.hxx>
 #include <Interface_Check.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <StepRepr_RepresentationItem.hxx>
@@ -18,6 +19,12 @@ namespace cartesian
 
 namespace
 {
+
+// Of IGES: bounded and trimmed surfaces, faces.
+bool isFace(int type)
+{
+  return type == 143 || type == 144 || type == 510;
+}
 
 class Entities
 {
@@ -83,8 +90,28 @@ void noteDamage(const Handle(Interface_InterfaceModel) & model, const CadReport&
     const Handle(Interface_Check) check = model->Check(i, Standard_True);
     if (!check.IsNull() && check->HasFailed())
     {
-      report.note(std::string("Damaged in the file: ") +
+      report.damage(std::string("Damaged in the file: ") +
         model->StringLabel(model->Value(i))->ToCString() + ", " + check->CFail(1) + ".");
+      return;
+    }
+  }
+}
+
+void tellLostGeometry(const Handle(XSControl_WorkSession) & session, const CadReport& report)
+{
+  const Handle(Interface_InterfaceModel) model = session->Model();
+  const Handle(Transfer_TransientProcess) process = session->TransferReader()->TransientProcess();
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const Handle(IGESData_IGESEntity) entity =
+      Handle(IGESData_IGESEntity)::DownCast(model->Value(i));
+    const Handle(Interface_Check) check = model->Check(i, Standard_True);
+    if (!entity.IsNull() && isFace(entity->TypeNumber()) && !check.IsNull() && check->HasFailed() &&
+      TransferBRep::ShapeResult(process, entity).IsNull())
+    {
+      report.warning(std::string("Of ") + model->StringLabel(entity)->ToCString() +
+        ", damaged in the file (" + check->CFail(1) +
+        "), nothing could be made: there may be holes. Export the part again.");
       return;
     }
   }

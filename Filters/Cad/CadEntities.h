@@ -21,7 +21,10 @@ using NamesOfShapes = std::map<const TopoDS_TShape*, std::string>;
 // nothing could be made are told.
 NamesOfShapes namesOfShapes(const Handle(XSControl_WorkSession) & session, const CadReport& report);
 
-// Notes what is wrong in the file itself, before shapes are made of it: Open CASCADE may crash on that.
+// What is wrong in the file itself, before shapes are made of it: Open CASCADE may crash on that.
 void noteDamage(const Handle(Interface_InterfaceModel) & model, const CadReport& report);
+
+// Warns of what is wrong in an IGES file if it is geometry of which nothing could be made.
+void tellLostGeometry(const Handle(XSControl_WorkSession) & session, const CadReport& report);
 
 }

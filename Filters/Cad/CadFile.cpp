@@ -2,14 +2,21 @@
 #include "CadFile.h"
 
 #include "CadAssembly.h"
+#include "CadEncoding.h"
 #include "CadProgress.h"
+#include "CadReferences.h"
+#include "CadTessellation.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <IGESBasic_Name.hxx>
 #include <IGESCAFControl_Reader.hxx>
+#include <IGESData_IGESEntity.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <TCollection_HAsciiString.hxx>
 #include <TDocStd_Document.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
@@ -19,6 +26,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace cartesian
 {
@@ -44,7 +52,83 @@ void checkRead(IFSelect_ReturnStatus status, const std::string& format)
   }
 }
 
-CadFile readStep(const std::string& path, const CadReport& report)
+// What the file is in. Open CASCADE takes UTF-8 only.
+CadEncoding encodingOf(const std::string& text, CadEncoding asked, const CadReport& report)
+{
+  if (asked != CadEncoding::Automatic || isUtf8(text))
+  {
+    return asked == CadEncoding::Automatic ? CadEncoding::Utf8 : asked;
+  }
+  const CadEncoding guessed = guessedEncoding(text);
+  report.note("The file is not in UTF-8: its names are taken to be " + nameOf(guessed) +
+    ". If they are garbled, choose another Name Encoding.");
+  return guessed;
+}
+
+std::string contentOf(const std::string& path)
+{
+  std::ostringstream content;
+  content << std::ifstream(path, std::ios::binary).rdbuf();
+  return content.str();
+}
+
+// Gives its text in UTF-8.
+IFSelect_ReturnStatus readStepModel(STEPCAFControl_Reader& reader, const std::string& path,
+  const CadOptions& options, std::string& text, const CadReport& report)
+{
+  text = contentOf(path);
+  const CadEncoding encoding = encodingOf(text, options.encoding, report);
+  if (encoding == CadEncoding::Utf8)
+  {
+    return reader.ReadFile(path.c_str());
+  }
+  text = toUtf8(text, encoding);
+  std::istringstream stream(text);
+  return reader.ChangeReader().ReadStream(path.c_str(), stream);
+}
+
+bool hasFaces(const std::vector<CadPart>& parts)
+{
+  return std::any_of(
+    parts.begin(), parts.end(), [](const CadPart& part) { return !part.faces.empty(); });
+}
+
+// Throws CadError if all that the file has is elsewhere.
+void tellUnread(const STEPCAFControl_Reader& reader, bool hasSome, const CadReport& report)
+{
+  const std::vector<std::string> unread = unreadFiles(reader);
+  const std::vector<std::string> files = unread.empty() && !hasSome ? namedFiles(reader) : unread;
+  if (files.empty())
+  {
+    return;
+  }
+  const std::string where =
+    " in other files, which are not beside it or cannot be read: " + listOf(files) +
+    ". Put them into the same folder as STEP files, or export the assembly as one file.";
+  if (!hasSome)
+  {
+    throw CadError("has its parts" + where);
+  }
+  report.warning("Parts are missing: they are" + where);
+}
+
+CadFile tessellatedFile(const std::string& text, const CadReport& report)
+{
+  report.note("The file has triangles instead of exact shapes. They are taken as they are: "
+              "Deflection, Angle, Heal "
+              "Tolerance, Glue Solids and Merge Coplanar do nothing.");
+  CadFile file;
+  file.parts = tessellatedParts(text);
+  if (!hasFaces(file.parts))
+  {
+    throw CadError(
+      "holds triangles that belong to no solid, or is damaged. Export exact shapes (BREP).");
+  }
+  file.isTessellated = true;
+  return file;
+}
+
+CadFile readStep(const std::string& path, const CadOptions& options, const CadReport& report)
 {
   STEPCAFControl_Controller::Init(); // before any parameter
   STEPCAFControl_Reader reader;
@@ -53,19 +137,55 @@ CadFile readStep(const std::string& path, const CadReport& report)
   reader.SetColorMode(Standard_True);
   reader.SetNameMode(Standard_True);
   reader.SetLayerMode(Standard_True);
-  checkRead(reader.ReadFile(path.c_str()), "STEP");
+  std::string text;
+  checkRead(readStepModel(reader, path, options, text, report), "STEP");
+  const bool isTessellated = holdsTriangles(text);
+  text = isTessellated ? text : std::string();
   noteDamage(reader.Reader().WS()->Model(), report);
   report.progress(0.3);
   Handle(TDocStd_Document) document = newDocument();
   const Handle(CadProgress) progress = new CadProgress(report, 0.3, 0.5);
-  if (!reader.Transfer(document, progress->Start()))
+  CadFile file;
+  const bool isTransferred = reader.Transfer(document, progress->Start());
+  if (isTransferred)
+  {
+    file.parts = partsOf(document, namesOfShapes(reader.Reader().WS(), report));
+  }
+  if (isTessellated && !hasFaces(file.parts))
+  {
+    return tessellatedFile(text, report);
+  }
+  tellUnread(reader, hasFaces(file.parts), report);
+  if (!isTransferred)
   {
     throw CadError(NoShapes);
   }
-  return { partsOf(document, namesOfShapes(reader.Reader().WS(), report)), true };
+  return file;
 }
 
-CadFile readIges(const std::string& path, const CadReport& report)
+// Entities, not the file, which counts the bytes of its texts.
+void setNames(const Handle(Interface_InterfaceModel) & model, CadEncoding encoding)
+{
+  const auto converted = [&](const Handle(TCollection_HAsciiString) & text) {
+    return new TCollection_HAsciiString(toUtf8(text->ToCString(), encoding).c_str());
+  };
+  for (int i = 1; i <= model->NbEntities(); ++i)
+  {
+    const Handle(IGESBasic_Name) name = Handle(IGESBasic_Name)::DownCast(model->Value(i));
+    const Handle(IGESData_IGESEntity) entity =
+      Handle(IGESData_IGESEntity)::DownCast(model->Value(i));
+    if (!name.IsNull() && !name->Value().IsNull())
+    {
+      name->Init(name->NbPropertyValues(), converted(name->Value()));
+    }
+    if (!entity.IsNull() && entity->HasShortLabel())
+    {
+      entity->SetLabel(converted(entity->ShortLabel()), entity->SubScriptNumber());
+    }
+  }
+}
+
+CadFile readIges(const std::string& path, const CadOptions& options, const CadReport& report)
 {
   STEPCAFControl_Controller::Init();
   IGESCAFControl_Reader reader;
@@ -73,7 +193,12 @@ CadFile readIges(const std::string& path, const CadReport& report)
   reader.SetColorMode(Standard_True);
   reader.SetNameMode(Standard_True);
   reader.SetLayerMode(Standard_True);
+  const CadEncoding encoding = encodingOf(contentOf(path), options.encoding, report);
   checkRead(reader.ReadFile(path.c_str()), "IGES");
+  if (encoding != CadEncoding::Utf8)
+  {
+    setNames(reader.WS()->Model(), encoding);
+  }
   noteDamage(reader.WS()->Model(), report);
   report.progress(0.3);
   Handle(TDocStd_Document) document = newDocument();
@@ -82,7 +207,11 @@ CadFile readIges(const std::string& path, const CadReport& report)
   {
     throw CadError(NoShapes);
   }
-  return { partsOf(document, {}), false };
+  CadFile file;
+  tellLostGeometry(reader.WS(), report);
+  file.parts = partsOf(document, {});
+  file.hasTopology = false;
+  return file;
 }
 
 // Null if there is none.
@@ -112,21 +241,23 @@ CadFile readBrep(const std::string& path)
   }
   Handle(TDocStd_Document) document = newDocument();
   XCAFDoc_DocumentTool::ShapeTool(document->Main())->AddShape(shape, Standard_False);
-  return { partsOf(document, {}), true };
+  CadFile file;
+  file.parts = partsOf(document, {});
+  return file;
 }
 
 }
 
-CadFile readCadFile(const std::string& given, const CadReport& report)
+CadFile readCadFile(const std::string& given, const CadOptions& options, const CadReport& report)
 {
   // Files that this one refers to are sought beside it.
   const std::string path = std::filesystem::absolute(given).string();
   std::string suffix = std::filesystem::path(path).extension().string();
   std::transform(
     suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return std::tolower(c); });
-  CadFile file = suffix == ".igs" || suffix == ".iges" ? readIges(path, report)
+  CadFile file = suffix == ".igs" || suffix == ".iges" ? readIges(path, options, report)
     : suffix == ".brep"                                ? readBrep(path)
-                                                       : readStep(path, report);
+                                                       : readStep(path, options, report);
   const auto isEmpty = [](const CadPart& part) { return part.faces.empty(); };
   file.parts.erase(std::remove_if(file.parts.begin(), file.parts.end(), isEmpty), file.parts.end());
   if (file.parts.empty())

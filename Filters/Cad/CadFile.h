@@ -3,6 +3,7 @@
 // colours and layers of their faces.
 #pragma once
 
+#include "CadOptions.h"
 #include "CadPart.h"
 
 namespace cartesian
@@ -12,10 +13,11 @@ struct CadFile
 {
   std::vector<CadPart>
     parts; // solids first; then one part of all faces that belong to no solid, if there are any
-  bool hasTopology = true; // false: faces do not know their neighbours (IGES)
+  bool isTessellated = false; // triangles instead of exact shapes
+  bool hasTopology = true;    // false: faces do not know their neighbours (IGES)
 };
 
 // Throws CadError: the file cannot be read, or has neither solids nor faces.
-CadFile readCadFile(const std::string& given, const CadReport& report);
+CadFile readCadFile(const std::string& given, const CadOptions& options, const CadReport& report);
 
 }

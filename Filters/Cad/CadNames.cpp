@@ -21,9 +21,6 @@ bool isNone(const std::string& name)
   return name.empty() || name == "NONE" || name == "None" || name == "none";
 }
 
-// What Open CASCADE calls a product without a name.
-constexpr const char* NameByTranslator = "Open CASCADE STEP translator";
-
 // F1, F2 and the like, by which I-DEAS and others count faces.
 bool isCounter(const std::string& name)
 {
@@ -188,16 +185,37 @@ bool instancesDiffer(const std::vector<CadPart*>& parts, const std::set<std::str
   return true;
 }
 
+// Beside a solid of their name, sheets have another.
+void nameSheets(std::vector<CadPart>& parts)
+{
+  const auto isSolid = [](const CadPart& part) { return part.shape.ShapeType() == TopAbs_SOLID; };
+  std::set<std::string> ofSolids;
+  for (const CadPart& part : parts)
+  {
+    if (isSolid(part))
+    {
+      ofSolids.insert(part.name);
+    }
+  }
+  for (CadPart& part : parts)
+  {
+    part.name += !isSolid(part) && ofSolids.count(part.name) > 0 ? "_sheet" : "";
+  }
+}
+
 }
 
 void numberAlike(std::vector<CadPart>& parts, const std::string& other)
 {
+  for (CadPart& part : parts)
+  {
+    part.name = part.name.empty() ? other : part.name;
+  }
+  nameSheets(parts);
   std::map<std::string, std::vector<CadPart*>> alike;
   std::set<std::string> taken;
   for (CadPart& part : parts)
   {
-    const bool isNamed = !part.name.empty() && part.name.rfind(NameByTranslator, 0) != 0;
-    part.name = isNamed ? part.name : other;
     alike[part.name].push_back(&part);
     taken.insert(part.name);
   }

@@ -17,7 +17,7 @@ struct CadBoundaries
 };
 
 // Gives solids of one name names that differ: those of the instances, if these do, else bolt_1, bolt_2. Those without a
-// name are called `other`.
+// name are called `other`; a sheet beside a solid of its name, bolt_sheet.
 void numberAlike(std::vector<CadPart>& parts, const std::string& other);
 
 // Faces of one name in one part are one boundary; names that several parts have are numbered. Colours and layers are

@@ -15,6 +15,22 @@ enum class CadNames
   Solids
 };
 
+// Of names.
+enum class CadEncoding
+{
+  Automatic, // UTF-8 if all is; else it is guessed
+  Utf8,
+  WesternEuropean,
+  CentralEuropean,
+  Cyrillic,
+  Greek,
+  Turkish,
+  SimplifiedChinese,
+  TraditionalChinese,
+  Japanese,
+  Korean
+};
+
 struct CadOptions
 {
   double unit = 1000; // millimetres in the unit of the result
@@ -25,6 +41,7 @@ struct CadOptions
   double healTolerance = 0; // in that unit: gaps up to this are closed; 0: those of IGES files only
   bool gluesSolids = false; // faces in which solids touch become one
   bool mergesCoplanar = false;
+  CadEncoding encoding = CadEncoding::Automatic;
 };
 
 }

@@ -4,7 +4,9 @@
 #include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Geom_Surface.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -43,10 +45,16 @@ TopTools_IndexedMapOfShape freeEdges(const TopoDS_Shape& shape)
   return free;
 }
 
+bool isTessellated(const TopoDS_Shape& shape)
+{
+  const TopExp_Explorer face(shape, TopAbs_FACE);
+  return face.More() && BRep_Tool::Surface(TopoDS::Face(face.Current())).IsNull();
+}
+
 std::string placeOf(const TopoDS_Shape& shape, double unit)
 {
   Bnd_Box box;
-  BRepBndLib::Add(shape, box, Standard_False);
+  BRepBndLib::Add(shape, box, isTessellated(shape));
   if (box.IsVoid())
   {
     return "";

@@ -46,6 +46,9 @@ TopTools_IndexedMapOfShape facesOf(const TopoDS_Shape& shape);
 // Edges that bound one face only, each once.
 TopTools_IndexedMapOfShape freeEdges(const TopoDS_Shape& shape);
 
+// Whether its faces are triangles, without surfaces and edges.
+bool isTessellated(const TopoDS_Shape& shape);
+
 // "(x, y, z)" of a shape's middle, in the unit of the result.
 std::string placeOf(const TopoDS_Shape& shape, double unit);
 
@@ -68,6 +71,8 @@ struct CadReport
   std::function<void(double done)> progress;
   std::function<void(const std::string&)> note;
   std::function<void(const std::string&)> warning;
+  // What is wrong in the file: told if Open CASCADE crashes, as most of it does no harm.
+  std::function<void(const std::string&)> damage;
 };
 
 }

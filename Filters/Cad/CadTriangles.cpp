@@ -2,17 +2,17 @@
 #include "CadTriangles.h"
 
 #include "CadEdges.h"
+#include "CadGaps.h"
+#include "CadMeasures.h"
 #include "CadProgress.h"
 #include "CadWeld.h"
 
 #include <BRepBndLib.hxx>
-#include <BRepGProp.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <GProp_GProps.hxx>
 #include <IMeshTools_Parameters.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp_Explorer.hxx>
@@ -233,32 +233,53 @@ private:
   {
     for (std::size_t i = 0; i < solid_.triangles.size(); i += 3)
     {
-      const auto at = [&](std::size_t c) {
-        const double* p = solid_.points.data() + 3 * solid_.triangles[i + c];
-        return gp_XYZ(p[0], p[1], p[2]);
-      };
       const gp_XYZ origin(solid_.points[0], solid_.points[1], solid_.points[2]);
-      solid_.volumeOfTriangles += determinant(at(0) - origin, at(1) - origin, at(2) - origin) / 6;
+      solid_.volumeOfTriangles +=
+        determinant(at(i) - origin, at(i + 1) - origin, at(i + 2) - origin) / 6;
     }
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(part_.shape, properties);
-    solid_.area = properties.Mass() / (unit_ * unit_);
-    if (part_.shape.ShapeType() == TopAbs_SOLID)
+    if (isTessellated(part_.shape))
     {
-      GProp_GProps inside;
-      BRepGProp::VolumeProperties(part_.shape, inside);
-      solid_.volume = inside.Mass() / (unit_ * unit_ * unit_);
+      measureTriangles();
+      return;
     }
-    if (solid_.volume < 0)
+    solid_.area = areaOf(part_.shape) / (unit_ * unit_);
+    if (part_.shape.ShapeType() != TopAbs_SOLID)
+    {
+      return;
+    }
+    const CadVolume exact = volumeOf(part_.shape);
+    solid_.volume = exact.isCertain ? std::abs(exact.value) / (unit_ * unit_ * unit_) : 0;
+    if (exact.value < 0)
     {
       turnOver();
     }
   }
 
+  // Which are all that there is.
+  void measureTriangles()
+  {
+    solid_.knowsEdges = 0;
+    for (std::size_t i = 0; i < solid_.triangles.size(); i += 3)
+    {
+      solid_.area += ((at(i + 1) - at(i)) ^ (at(i + 2) - at(i))).Modulus() / 2;
+    }
+    if (solid_.volumeOfTriangles < 0)
+    {
+      turnOver();
+    }
+    solid_.volume = solid_.openEdges == 0 ? solid_.volumeOfTriangles : 0;
+  }
+
+  // A triangle's corner.
+  gp_XYZ at(std::size_t corner) const
+  {
+    const double* p = solid_.points.data() + 3 * solid_.triangles[corner];
+    return { p[0], p[1], p[2] };
+  }
+
   // A solid that the file has inside out.
   void turnOver()
   {
-    solid_.volume = -solid_.volume;
     solid_.volumeOfTriangles = -solid_.volumeOfTriangles;
     for (std::size_t i = 0; i < solid_.triangles.size(); i += 3)
     {
@@ -283,10 +304,11 @@ struct Attempt
   int flaws = 0;
 };
 
-// Whether triangles enclose as much as a closed shape, except for what they may cut off.
+// Whether triangles enclose as much as a closed shape, except for what they may cut off. True if it is not known how much.
 bool enclosesAll(const CadSolid& solid, double deflection)
 {
-  return std::abs(solid.volumeOfTriangles - solid.volume) <= 2 * solid.area * deflection;
+  return solid.volume == 0 ||
+    std::abs(solid.volumeOfTriangles - solid.volume) <= 2 * solid.area * deflection;
 }
 
 // `deflection`: in the unit of the result.
@@ -307,6 +329,20 @@ Attempt weldAll(const std::vector<CadPart>& parts, const CadBoundaries& boundari
   return attempt;
 }
 
+std::string adviceFor(const CadPart& open, const CadOptions& options)
+{
+  const double gap = widestGap(open.shape) / options.unit;
+  if (gap > 0)
+  {
+    return "Gaps of up to " + numberText(gap) +
+      " are between its faces: set a larger Heal Tolerance, or export the part as a solid.";
+  }
+  return open.shape.ShapeType() == TopAbs_SOLID
+    ? "There are no gaps to close: a face is missing. Export the part again."
+    : "There are no gaps to close: it is a sheet. If it is meant, it can be a boundary of type "
+      "baffle; else export the part as a solid.";
+}
+
 // What the user must know of a part.
 void tell(const CadPart& part, const CadSolid& solid, double deflection, const CadOptions& options,
   const CadReport& report)
@@ -316,15 +352,19 @@ void tell(const CadPart& part, const CadSolid& solid, double deflection, const C
   if (free > 0)
   {
     report.warning(where + " is open: " + std::to_string(free) +
-      " edges bound one face only, so it encloses nothing. Set a Heal Tolerance if these are gaps, "
-      "or export "
-      "the part as a solid.");
+      " edges bound one face only, so it encloses nothing. " + adviceFor(part, options));
   }
   else if (solid.openEdges > 0)
   {
     report.warning(where +
       " is closed, but its triangles are not: " + std::to_string(solid.openEdges) +
       " of their edges are open. Choose a smaller Deflection, or export the part again.");
+  }
+  if (free == 0 && solid.volume == 0)
+  {
+    report.note("The exact volume of " + where +
+      " is not known: two ways to integrate it disagree, so the triangles cannot be compared with "
+      "it.");
   }
   if (free == 0 && !enclosesAll(solid, deflection))
   {
@@ -334,6 +374,25 @@ void tell(const CadPart& part, const CadSolid& solid, double deflection, const C
   }
 }
 
+}
+
+std::vector<CadSolid> trianglesOf(const std::vector<CadPart>& parts,
+  const CadBoundaries& boundaries, const CadOptions& options, const CadReport& report)
+{
+  Attempt attempt = weldAll(parts, boundaries, options, 0);
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    const CadSolid& solid = attempt.solids[p];
+    if (solid.openEdges > 0)
+    {
+      report.warning(solid.name + " at " + placeOf(parts[p].shape, options.unit) +
+        " is open: triangles are all that the file has of it, and " +
+        std::to_string(solid.openEdges) +
+        " of their edges have no neighbour. Export the exact shape (BREP) instead of a tessellated "
+        "one.");
+    }
+  }
+  return std::move(attempt.solids);
 }
 
 std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,

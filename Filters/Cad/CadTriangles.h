@@ -12,4 +12,8 @@ namespace cartesian
 std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,
   const CadBoundaries& boundaries, const CadOptions& options, const CadReport& report);
 
+// Of tessellated parts, those that they have.
+std::vector<CadSolid> trianglesOf(const std::vector<CadPart>& parts,
+  const CadBoundaries& boundaries, const CadOptions& options, const CadReport& report);
+
 }

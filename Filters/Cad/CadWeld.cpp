@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CadWeld.h"
 
+#include "CadPart.h"
+
 #include <BRep_Tool.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
@@ -25,6 +27,12 @@ std::int64_t CadWeld::add(const gp_Pnt& point)
 {
   points_.push_back(point);
   return static_cast<std::int64_t>(points_.size()) - 1;
+}
+
+std::int64_t CadWeld::addOnce(const gp_Pnt& point)
+{
+  const auto [place, isNew] = ofPlace_.try_emplace({ point.X(), point.Y(), point.Z() }, None);
+  return place->second = isNew ? add(point) : place->second;
 }
 
 std::int64_t CadWeld::vertex(const TopoDS_Shape& shape)
@@ -98,11 +106,13 @@ std::vector<std::int64_t> CadWeld::nodesOf(const TopoDS_Face& face)
   {
     weldEdge(TopoDS::Edge(edge.Current()), triangles, place, nodes);
   }
+  const bool hasEdges = !isTessellated(face);
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     if (nodes[i] == None)
     {
-      nodes[i] = add(triangles->Node(static_cast<int>(i) + 1).Transformed(place));
+      const gp_Pnt point = triangles->Node(static_cast<int>(i) + 1).Transformed(place);
+      nodes[i] = hasEdges ? add(point) : addOnce(point);
     }
   }
   return nodes;

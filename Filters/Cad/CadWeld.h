@@ -8,7 +8,9 @@
 #include <TopoDS_Face.hxx>
 #include <gp_Pnt.hxx>
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 class Poly_Triangulation;
@@ -35,11 +37,13 @@ public:
 
 private:
   std::int64_t add(const gp_Pnt& point);
+  std::int64_t addOnce(const gp_Pnt& point);
   std::int64_t vertex(const TopoDS_Shape& shape);
   void weldEdge(const TopoDS_Edge& edge, const Handle(Poly_Triangulation) & triangles,
     const TopLoc_Location& place, std::vector<std::int64_t>& nodes);
 
   std::vector<gp_Pnt> points_;
+  std::map<std::array<double, 3>, std::int64_t> ofPlace_; // of faces that know no edges
   TopTools_IndexedMapOfShape vertices_;
   std::vector<std::int64_t> ofVertex_;
   TopTools_IndexedMapOfShape edges_;

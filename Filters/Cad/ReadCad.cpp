@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read-cad FILE UNIT DEFLECTION ANGLE NAMES HEAL GLUE MERGE: reads a CAD file for vtkCADReader, and writes records (Stream.h)
+// read-cad FILE UNIT DEFLECTION ANGLE NAMES HEAL GLUE MERGE ENCODING: reads a CAD file for vtkCADReader, and writes records (Stream.h)
 // to its standard output. A process of its own, as Open CASCADE crashes on some damaged files and takes for ever with
 // others.
 #include "CadFile.h"
@@ -90,24 +90,20 @@ CadOptions optionsFrom(char** words)
   options.healTolerance = std::atof(words[4]);
   options.gluesSolids = std::atoi(words[5]) != 0;
   options.mergesCoplanar = std::atoi(words[6]) != 0;
+  options.encoding = static_cast<CadEncoding>(std::atoi(words[7]));
   return options;
 }
 
-void read(const std::string& path, const CadOptions& options, Output& output)
+// Exact shapes, for triangulation.
+void prepare(
+  CadFile& file, const std::string& name, const CadOptions& options, const CadReport& report)
 {
-  CadReport report;
-  report.progress = [&](double done) { output.write(Record::Progress, done); };
-  report.note = [&](const std::string& text) { output.write(Record::Note, text); };
-  report.warning = [&](const std::string& text) { output.write(Record::Warning, text); };
-
-  CadFile file = readCadFile(path, report);
   heal(file, options, report);
   divideAtKinks(file.parts, report);
   if (options.mergesCoplanar)
   {
     mergeCoplanar(file.parts, report);
   }
-  const std::string name = std::filesystem::path(path).stem().string();
   numberAlike(file.parts, name);
   if (options.gluesSolids)
   {
@@ -118,9 +114,30 @@ void read(const std::string& path, const CadOptions& options, Output& output)
   {
     noteNeighbours(file.parts, report);
   }
+}
+
+void read(const std::string& path, const CadOptions& options, Output& output)
+{
+  CadReport report;
+  report.progress = [&](double done) { output.write(Record::Progress, done); };
+  report.note = [&](const std::string& text) { output.write(Record::Note, text); };
+  report.damage = [&](const std::string& text) { output.write(Record::Damage, text); };
+  report.warning = [&](const std::string& text) { output.write(Record::Warning, text); };
+
+  CadFile file = readCadFile(path, options, report);
+  const std::string name = std::filesystem::path(path).stem().string();
+  if (file.isTessellated)
+  {
+    numberAlike(file.parts, name);
+  }
+  else
+  {
+    prepare(file, name, options, report);
+  }
   const CadBoundaries boundaries = boundariesOf(file.parts, options.names, report);
   output.write(Record::Names, boundaries.names);
-  for (CadSolid& solid : triangulate(file.parts, boundaries, options, report))
+  const auto make = file.isTessellated ? trianglesOf : triangulate;
+  for (CadSolid& solid : make(file.parts, boundaries, options, report))
   {
     Packer packer;
     solid.visit([&](const auto& value) { packer.add(value); });
@@ -133,7 +150,7 @@ void read(const std::string& path, const CadOptions& options, Output& output)
 
 int main(int count, char** words)
 {
-  if (count != 9)
+  if (count != 10)
   {
     std::fputs("read-cad is started by the CAD Reader of CartesianMesher.\n", stderr);
     return EXIT_FAILURE;

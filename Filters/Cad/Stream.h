@@ -17,6 +17,7 @@ enum class Record : char
   Progress = 'P', // part done, 0 to 1
   Note = 'N',     // a sentence: what was found or done
   Warning = 'W',  // a sentence: what the user must know
+  Damage = 'D',   // a sentence: what is wrong in the file, if reading ends early
   Error = 'E',    // a sentence: why there is no result
   Names = 'B',    // of all boundaries, by number
   Solid = 'S',    // a CadSolid
@@ -142,8 +143,9 @@ struct CadSolid
   std::vector<std::int32_t> boundary;  // of each triangle
   std::vector<std::int64_t> lines;     // sharp edges, two points each
   std::vector<std::int32_t> boundaryOfLine;
-  double volume = 0; // of the exact shape; 0 if it is open
-  double area = 0;   // of the exact shape
+  double volume = 0;           // of the exact shape; 0 if it is open, or not known
+  double area = 0;             // of the exact shape
+  std::uint8_t knowsEdges = 1; // 0: angles tell which are sharp
   double deflection = 0;
   double volumeOfTriangles = 0;
   std::int32_t openEdges = 0; // of triangles that lack a neighbour
@@ -160,6 +162,7 @@ struct CadSolid
     with(boundaryOfLine);
     with(volume);
     with(area);
+    with(knowsEdges);
     with(volumeOfTriangles);
     with(deflection);
     with(openEdges);

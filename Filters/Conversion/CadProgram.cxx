@@ -117,6 +117,9 @@ public:
       case Record::Warning:
         content.warnings.push_back(text());
         return;
+      case Record::Damage:
+        damage = text();
+        return;
       case Record::Error:
         error = text();
         return;
@@ -135,14 +138,15 @@ public:
 
   CadContent content;
   std::string error;
+  std::string damage;
   bool isWhole = false;
 };
 
 // Why there is no result.
-std::string faultOf(vtksysProcess* process, const std::vector<std::string>& notes,
-  const std::string& file, double timeLimit)
+std::string faultOf(
+  vtksysProcess* process, const std::string& damage, const std::string& file, double timeLimit)
 {
-  const std::string found = notes.empty() ? "" : " " + notes.back(); // damage is noted first
+  const std::string found = damage.empty() ? "" : " " + damage;
   switch (vtksysProcess_GetState(process))
   {
     case vtksysProcess_State_Expired:
@@ -230,8 +234,8 @@ CadContent runCadProgram(
   }
   if (!answer.isWhole)
   {
-    throw Error(Fault::CannotRead,
-      faultOf(process.get(), answer.content.notes, arguments.front(), timeLimit));
+    throw Error(
+      Fault::CannotRead, faultOf(process.get(), answer.damage, arguments.front(), timeLimit));
   }
   return std::move(answer.content);
 }

@@ -68,7 +68,10 @@ void setCellData(const CadSolid& solid, const std::vector<std::string>& names, v
   }
   block->GetCellData()->AddArray(ids);
   block->GetCellData()->AddArray(texts);
-  block->GetCellData()->AddArray(sharp);
+  if (solid.knowsEdges)
+  {
+    block->GetCellData()->AddArray(sharp);
+  }
 }
 
 void setFieldData(const CadSolid& solid, const std::vector<std::string>& names, vtkPolyData* block)

@@ -159,12 +159,27 @@ void cone(Folder& folder)
   write(folder, "cone.step", BRepPrimAPI_MakeCone(radius, 0, height).Shape(), solid, 2);
 }
 
-// Rational B-splines instead of planes and a cylinder.
+// Rational B-splines instead of planes and a cylinder: large and small, turned.
 void splines(Folder& folder)
 {
+  const TopoDS_Shape shape = BRepBuilderAPI_NurbsConvert(boxWithHole(X, Y, Z, 3)).Shape();
   SolidFacts solid = boxWithHoleFacts("splines", X, Y, Z, 3);
-  write(folder, "splines.step", BRepBuilderAPI_NurbsConvert(boxWithHole(X, Y, Z, 3)).Shape(), solid,
-    7, {}, Integrals::Adaptive);
+  write(folder, "splines.step", shape, solid, 7, {}, Integrals::Adaptive);
+  for (const double size : { 0.1, 1.0, 100.0 })
+  {
+    for (const int turn : { 0, 17, 45, 90 })
+    {
+      gp_Trsf scaling;
+      scaling.SetScaleFactor(size);
+      gp_Trsf turning;
+      turning.SetRotation(gp_Ax1(gp_Pnt(3, 5, 7), gp_Dir(1, 2, 3)), turn * Degree);
+      const SolidFacts sized{ solid.name, solid.volume * size * size * size,
+        solid.area * size * size };
+      const std::string file =
+        "splines_" + std::to_string(std::lround(10 * size)) + "_" + std::to_string(turn) + ".step";
+      write(folder, file, moved(shape, turning * scaling), sized, 7, {}, Integrals::Adaptive);
+    }
+  }
 }
 
 }

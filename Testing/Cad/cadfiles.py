@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import sys
 
 import numpy as np
 from cartesianmesher.vtkCartesianMesherFilters import vtkCADReader
@@ -27,7 +28,7 @@ class Solid:
         names = cells.GetAbstractArray("BoundaryName")
         self.boundaries = np.array([names.GetValue(i) for i in range(line_count, line_count + count)])
         self.ids = vtk_to_numpy(cells.GetArray("BoundaryId"))[line_count:]
-        self.sharp = vtk_to_numpy(cells.GetArray("SharpEdge"))
+        self.sharp = vtk_to_numpy(cells.GetArray("SharpEdge")) if cells.HasArray("SharpEdge") else None
         self.names = {fields.GetArray("BoundaryIds").GetValue(i): fields.GetAbstractArray("BoundaryNames").GetValue(i)
                       for i in range(fields.GetArray("BoundaryIds").GetNumberOfTuples())}
 
@@ -108,3 +109,16 @@ class Content:
 
 def facts_of(folder):
     return json.loads((pathlib.Path(folder) / "facts.json").read_text(encoding="utf-8"))
+
+
+def run(functions):
+    """Those that are tests; all of them, whatever fails."""
+    failures = 0
+    for name, test in list(functions.items()):
+        if name.startswith("test_"):
+            try:
+                test()
+            except AssertionError as failure:
+                failures += 1
+                print(f"{name}: {failure}")
+    sys.exit(failures > 0)

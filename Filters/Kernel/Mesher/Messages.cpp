@@ -422,6 +422,27 @@ std::string describeOverhang(const PreparedSurface& prepared)
   return text;
 }
 
+std::string describeTiny(const PreparedSurface& prepared, const Options& options)
+{
+  double longest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    longest = std::max(longest, prepared.bounds.high[axis] - prepared.bounds.low[axis]);
+  }
+  const double smallest = std::ldexp(
+    options.grid.cellSize, -std::clamp(refinementOf(options).deepest(), 0, DeepestLevel));
+  if (!(longest < smallest))
+  {
+    return {};
+  }
+  return "The surface is smaller than a cell: its longest side is " + number(longest) +
+    ", the smallest cells are asked to be " + number(smallest) + " (" +
+    number(std::round(10 * smallest / longest) / 10) +
+    " times as long). Choose a smaller Cell Size; if the surface is in another unit, correct "
+    "Length Unit "
+    "or Scale where it is read.";
+}
+
 std::string describeShortfall(const DomainSpec& domain, const FlowRefinement& flow)
 {
   if (flow.hasAlong(domain.boxesAlong))

@@ -18,6 +18,9 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
 // Where the surface reaches beyond the meshlines, unless it is what a box around it cuts off.
 std::string describeOverhang(const PreparedSurface& prepared);
 
+// If all of the surface is smaller than a cell, as one in another unit is.
+std::string describeTiny(const PreparedSurface& prepared, const Options& options);
+
 // If there are fewer boxes along bodies than the user requested.
 std::string describeShortfall(const DomainSpec& domain, const FlowRefinement& flow);
 

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tessellated solids of a STEP file (AP242): triangles instead of exact shapes, which Open CASCADE 7.6 does not read.
+#pragma once
+
+#include "CadPart.h"
+
+namespace cartesian
+{
+
+bool holdsTriangles(const std::string& text);
+
+// A part for each solid or shell. Faces have triangles and no surface, and know no edges. Throws CadError.
+std::vector<CadPart> tessellatedParts(const std::string& text);
+
+}

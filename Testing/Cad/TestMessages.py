@@ -1,0 +1,156 @@
+"""TestMessages.py FOLDER: what the CAD Reader says of files that are not as they should be, and what it does not say of those that
+are; tessellated solids (AP242), which are triangles."""
+
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+
+import numpy as np
+from cartesianmesher.vtkCartesianMesherFilters import vtkCartesianMesher
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+
+from cadfiles import Content, run
+
+FOLDER = pathlib.Path(sys.argv[1])
+SCRATCH = pathlib.Path(tempfile.mkdtemp())
+
+HEAD = """ISO-10303-21;
+HEADER;
+FILE_DESCRIPTION((''),'2;1');
+FILE_NAME('','',(''),(''),'','','');
+FILE_SCHEMA(('AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 1 1 4 }'));
+ENDSEC;
+DATA;
+#1=APPLICATION_CONTEXT('');
+#3=PRODUCT_CONTEXT('',#1,'mechanical');
+#4=PRODUCT('b\\X2\\00FC\\X0\\chse','','',(#3));
+#5=PRODUCT_DEFINITION_FORMATION('','',#4);
+#6=PRODUCT_DEFINITION_CONTEXT('part definition',#1,'design');
+#7=PRODUCT_DEFINITION('design','',#5,#6);
+#8=PRODUCT_DEFINITION_SHAPE('','',#7);
+"""
+MILLIMETRES = "#10=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n"
+METRES = "#10=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.));\n"
+INCHES = """#10=(CONVERSION_BASED_UNIT('INCH',#90)LENGTH_UNIT()NAMED_UNIT(#92));
+#90=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#91);
+#91=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));
+#92=DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);
+"""
+CONTEXT = "#14=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((#10))REPRESENTATION_CONTEXT('',''));\n"
+CORNERS = [(x, y, z) for z in (0, 3) for y in (0, 2) for x in (0, 1)]  # numbers 1 to 8
+QUADS = (1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)  # seen from outside
+
+
+def coordinates(number, points):
+    rows = ",".join("({}.,{}.,{}.)".format(*point) for point in points)
+    return f"#{number}=COORDINATES_LIST('',{len(points)},({rows}));\n"
+
+
+def faces(kind):
+    """Of a cuboid of 1 x 2 x 3: triangles, strips and fans, with their own numbers of points, or with their own points."""
+    text = "" if kind == "own points" else coordinates(50, CORNERS)
+    for i, quad in enumerate(QUADS):
+        a, b, c, d = quad
+        if kind == "triangles":
+            text += f"#{100 + i}=TRIANGULATED_FACE('side {i}',#50,8,(),$,(),(({a},{b},{c}),({a},{c},{d})));\n"
+        elif kind == "strips":
+            text += f"#{100 + i}=COMPLEX_TRIANGULATED_FACE('side {i}',#50,8,(),$,(),(({a},{b},{d},{c})),());\n"
+        elif kind == "fans":
+            text += f"#{100 + i}=COMPLEX_TRIANGULATED_FACE('side {i}',#50,8,(),$,(),(),(({a},{b},{c},{d})));\n"
+        elif kind == "numbers":
+            text += f"#{100 + i}=COMPLEX_TRIANGULATED_FACE('side {i}',#50,4,(),$,({a},{b},{c},{d}),((1,2,4,3)),());\n"
+        else:
+            text += coordinates(200 + i, [CORNERS[corner - 1] for corner in quad])
+            text += f"#{100 + i}=TRIANGULATED_FACE('side {i}',#{200 + i},4,(),$,(),((1,2,3),(1,3,4)));\n"
+    return text
+
+
+def tessellated(kind="triangles", unit=MILLIMETRES, sides=6, more=""):
+    links = ",".join(f"#{100 + i}" for i in range(sides))
+    text = HEAD + unit + CONTEXT + faces(kind) + f"#60=TESSELLATED_SOLID('',({links}),$);\n" + more \
+        + "#61=TESSELLATED_SHAPE_REPRESENTATION('',(#60),#14);\n#62=SHAPE_DEFINITION_REPRESENTATION(#8,#61);\n" \
+        "ENDSEC;\nEND-ISO-10303-21;\n"
+    path = SCRATCH / "tessellated.stp"
+    path.write_text(text, encoding="ascii")
+    return Content(path)
+
+
+def test_tessellated():
+    for kind in "triangles", "strips", "fans", "numbers", "own points":
+        for unit, size in (MILLIMETRES, 1), (METRES, 1000), (INCHES, 25.4):
+            read = tessellated(kind, unit)
+            assert not read.is_error and not read.said, f"{kind}: {read.said}"
+            solid, = read.solids
+            assert solid.name == "büchse" and solid.open_edges == 0 and len(solid.triangles) == 12, (kind, solid.name)
+            assert np.allclose([solid.volume, solid.volume_of_triangles, solid.own_volume()], 6 * size**3, rtol=1e-12), kind
+            assert np.isclose(solid.area, 22 * size**2, rtol=1e-12), kind
+            areas = read.areas()
+            assert set(areas) == {f"side {i}" for i in range(6)} and np.isclose(areas["side 0"], 2 * size**2), areas
+            assert solid.sharp is None, "angles tell which edges are sharp"
+
+
+def test_tessellated_that_are_not_whole():
+    read = tessellated(sides=5)
+    assert "is open" in read.said and "4 of their edges" in read.said and read.solids[0].volume == 0, read.said
+    read = tessellated(more="#70=MAPPED_ITEM('',$,$);\n")
+    assert read.is_error and "MAPPED_ITEM" in read.said and "tessellated" in read.said, read.said
+    for what, by in (",2.,3.)", ",2.)"), ("(1,3,4)", "(1,3,9)"), ("(1,3,4)", "(1,'3,4)"):
+        tessellated()
+        path = SCRATCH / "tessellated.stp"
+        text = path.read_text(encoding="ascii")
+        assert what in text
+        path.write_text(text.replace(what, by), encoding="ascii")
+        read = Content(path)
+        assert read.is_error and path.name in read.said and "damaged" in read.said, read.said
+
+
+def test_parts_in_other_files():
+    shutil.copy(FOLDER / "several_files.step", SCRATCH)
+    read = Content(SCRATCH / "several_files.step")
+    assert read.is_error and "outside_block.stp" in read.said and "other files" in read.said, read.said
+    (SCRATCH / "outside_block.stp").write_text("This is no STEP file.\n")
+    read = Content(SCRATCH / "several_files.step")
+    assert read.is_error and "outside_block.stp" in read.said, read.said
+    assert not Content(FOLDER / "several_files.step").said
+
+
+def test_damage_that_does_no_harm():
+    text = (FOLDER / "colours.step").read_text(encoding="ascii")
+    colour = re.search(r"(#\d+) = COLOUR_RGB\([^;]*;", text)
+    path = SCRATCH / "colour.step"
+    path.write_text(text.replace(colour.group(0), f"{colour.group(1)} = COLOUR_RGB('',*,#1);"), encoding="ascii")
+    read = Content(path)
+    assert not read.said and not any("amage" in finding for finding in read.findings()), (read.said, read.findings())
+    assert read.solids[0].open_edges == 0
+
+
+def test_gaps_and_sheets():
+    read = Content(FOLDER / "gaps.step")
+    assert "set a larger Heal Tolerance" in read.said and "up to 0.0001 are" in read.said, read.said
+    for file in "sheet.step", "solid_and_sheet.step":
+        read = Content(FOLDER / file)
+        assert "is open" in read.said and "Heal Tolerance" not in read.said and "sheet" in read.said, read.said
+
+
+def test_surface_smaller_than_a_cell():
+    read = Content(FOLDER / "colours.step", unit="m")  # 0.03 long
+
+    def said(size, depth=0):
+        mesher, window, before = vtkCartesianMesher(), vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+        mesher.SetInputConnection(read.reader.GetOutputPort())
+        mesher.SetCellSize(size)
+        mesher.SetRefinementDepth(depth)
+        vtkOutputWindow.SetInstance(window)
+        mesher.Update()
+        vtkOutputWindow.SetInstance(before)
+        return window.GetOutput()
+
+    text = said(0.36)
+    assert "smaller than a cell" in text and "12 times" in text and "Length Unit" in text, text
+    assert not said(0.01) and not said(0.36, 4)
+
+
+if __name__ == "__main__":
+    run(globals())
