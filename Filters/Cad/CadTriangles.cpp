@@ -99,6 +99,7 @@ public:
     , unit_(unit)
   {
     solid_.name = part.name;
+    solid_.isOpenBody = part.shape.ShapeType() == TopAbs_SOLID ? 0 : 1;
     addFaces(boundary);
     addLines(boundary);
     solid_.openEdges = countOpen();

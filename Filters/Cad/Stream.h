@@ -146,7 +146,8 @@ struct CadSolid
   double area = 0;   // of the exact shape
   double deflection = 0;
   double volumeOfTriangles = 0;
-  std::int32_t openEdges = 0; // of triangles that lack a neighbour
+  std::int32_t openEdges = 0;  // of triangles that lack a neighbour
+  std::uint8_t isOpenBody = 0; // 1: faces that form no solid
 
   // For Packer and Unpacker alike.
   template <typename Visit>
@@ -163,6 +164,7 @@ struct CadSolid
     with(volumeOfTriangles);
     with(deflection);
     with(openEdges);
+    with(isOpenBody);
   }
 };
 

@@ -6,6 +6,7 @@
 #include "Cells/SmallCellSpec.h"
 #include "Surface/WallLayerSpec.h"
 
+#include <set>
 #include <vector>
 
 namespace cartesian
@@ -49,6 +50,10 @@ std::map<std::int32_t, std::string> boundaryTypes(
 std::vector<BoundaryRatio> boundaryRatios(
   const BoundarySettings& settings, const BoundaryNames& names, SmallCells handling);
 std::map<std::int32_t, int> boundaryDepths(
+  const BoundarySettings& settings, const BoundaryNames& names);
+
+// Boundaries of BaffleType. Rows that are wrong, or of sides that are added later, are passed over.
+std::set<std::int32_t> baffleBoundaries(
   const BoundarySettings& settings, const BoundaryNames& names);
 
 // The numbers of regions (Walls.h) by name. Throws Error (BadParameter) if there is none of a name.
