@@ -189,7 +189,7 @@ def test_places():
 def test_glue():
     """Where solids touch they have the same triangles, and are as large as before."""
     touching = ("turned_cube.step", "cylinder_on_cube.step", "overhang.step", "bolted_plates.step", "heated_pipe.step",
-                "several_files.step")
+                "several_files.step", *(file for file in FACTS if file.startswith("bend_")))
     apart = "touch_at_edge.step", "touch_at_corner.step", "apart.step"
     for file in touching + apart:
         content = read(file, GlueSolids=True)
@@ -201,6 +201,16 @@ def test_glue():
         area = area_of_contacts(content.solids)
         exact = FACTS[file]["others"].get("contactArea", 0)
         assert abs(area - exact) <= 0.006 * exact, f"{file}: glued in {area} instead of {exact}"
+
+
+def test_solids_after_gluing():
+    """As many as before, with their names, or it is told which have become others."""
+    for file in "bend_10_0.step", "heated_pipe.step":
+        content = read(file, GlueSolids=True)
+        assert [solid.name for solid in content.solids] == [fact["name"] for fact in FACTS[file]["solids"]], file
+        assert not content.said, content.said
+    content = read("rod_through_plate.step", GlueSolids=True)
+    assert len(content.solids) == 4 and "divided the solid rod into 2 solids" in content.said, content.said
 
 
 def area_of_contacts(solids):
