@@ -197,6 +197,37 @@ void igesFaces(Folder& folder)
   folder.brep("solid.brep", shape, facts);
 }
 
+// Solids whose faces meet in edges, as loose faces: three cubes in a row, and two that share one edge.
+void touchingFaces(Folder& folder)
+{
+  for (const double size : { 0.1, 1.0, 10.0 })
+  {
+    for (const int degrees : { 0, 10, 30, 45 })
+    {
+      gp_Trsf turn;
+      turn.SetRotation(gp_Ax1(gp::Origin(), gp_Dir(1, 2, 3)), degrees * Degree);
+      const std::string name = "touching_" + std::to_string(static_cast<int>(10 * size)) + "_" +
+        std::to_string(degrees) + ".igs";
+      Facts facts;
+      facts.solids.assign(3, boxFacts("", size, size, size));
+      facts.faces = 18;
+      facts.others = { { "contactArea", 2 * size * size } };
+      std::vector<TopoDS_Shape> row;
+      for (const double x : { 0.0, size, 2 * size })
+      {
+        row.push_back(moved(box({ x, 0, 0 }, { x + size, size, size }), turn));
+      }
+      folder.iges(name, compound(row), IgesForm::Faces, facts);
+    }
+  }
+  Facts facts;
+  facts.solids = { boxFacts("", 10, 10, 10), boxFacts("", 10, 10, 10) };
+  facts.faces = 12;
+  folder.iges("touching_edge.igs",
+    compound({ box(gp::Origin(), { 10, 10, 10 }), box({ 10, 10, 0 }, { 20, 20, 10 }) }),
+    IgesForm::Faces, facts);
+}
+
 void igesSphere(Folder& folder)
 {
   const double radius = 5;
@@ -212,6 +243,7 @@ void igesSphere(Folder& folder)
 
 const std::map<std::string, Part> Surfaces = { { "gaps", gaps }, { "six faces", sixFaces },
   { "sheet", sheet }, { "solid and sheet", solidAndSheet }, { "stray tube", strayTube },
-  { "partition", partition }, { "IGES faces", igesFaces }, { "IGES sphere", igesSphere } };
+  { "partition", partition }, { "IGES faces", igesFaces }, { "touching faces", touchingFaces },
+  { "IGES sphere", igesSphere } };
 
 }
