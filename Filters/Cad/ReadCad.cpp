@@ -102,7 +102,7 @@ void read(const std::string& path, const CadOptions& options, Output& output)
 
   CadFile file = readCadFile(path, report);
   heal(file, options, report);
-  divideAtKinks(file.parts, report);
+  divideAtKinks(file.parts, options, report);
   if (options.mergesCoplanar)
   {
     mergeCoplanar(file.parts, report);

@@ -65,7 +65,7 @@ def check_file(file, facts):
 
 
 # OCCT's integrals over B-splines and kinks: MakeParts says how wrong they are.
-INTEGRALS_ARE_WRONG = {"kinks.step", "splines.step"}
+INTEGRALS_ARE_WRONG = {"kinks.step", "splines.step"} | {file for file in FACTS if file.startswith("hole_at_kink")}
 # Faces that touch exactly, which the reader joins unasked.
 JOINED = {"six_faces.step", "six_faces.brep"}
 # IGES in inches, or of parts of 0.1 mm, has fewer digits.
