@@ -451,7 +451,9 @@ cartesian::BoundarySettings vtkCartesianGridAlgorithm::Boundaries() const
 
 cartesian::SurfaceFromVTK vtkCartesianGridAlgorithm::Read(vtkDataObject* surface) const
 {
-  return { surface, this->BoundaryArray };
+  cartesian::SurfaceFromVTK read(surface, this->BoundaryArray);
+  read.leaveOutOpenBodies({});
+  return read;
 }
 
 cartesian::SurfaceFromVTK vtkCartesianGridAlgorithm::ReadWithSides(vtkDataObject* data)
@@ -471,9 +473,9 @@ cartesian::PreparedSurface vtkCartesianGridAlgorithm::Prepare(
   options.domain.sides = surface.sides();
   cartesian::PreparedSurface prepared =
     cartesian::prepareSurface(surface.view(), options, execution, parts);
-  const std::string undivided = surface.describeUndivided();
+  const std::string leftOut = surface.describeLeftOut();
   const std::string flaws = cartesian::describeFlaws(prepared, surface.cells(), surface.names());
-  this->Warn(undivided + (undivided.empty() || flaws.empty() ? "" : "\n") + flaws);
+  this->Warn(leftOut + (leftOut.empty() || flaws.empty() ? "" : "\n") + flaws);
   return prepared;
 }
 
@@ -593,7 +595,7 @@ std::unique_ptr<cartesian::Decomposition> vtkCartesianGridAlgorithm::Divide(
   std::vector<RegionSurface> surfaces = this->RegionSurfaces(regions);
   for (const RegionSurface& region : surfaces)
   {
-    const std::string undivided = region.surface->describeUndivided();
+    const std::string undivided = region.surface->describeLeftOut();
     this->Warn(undivided.empty() ? "" : "In a refinement region: " + undivided);
   }
   cartesian::Options options = this->MakeOptions();

@@ -197,6 +197,7 @@ cartesian::SurfaceFromVTK vtkCartesianMesher::Read(vtkDataObject* data) const
   cartesian::SurfaceFromVTK surface(data, this->BoundaryArray,
     static_cast<cartesian::RegionSource>(this->RegionsFrom), this->RegionArray);
   surface.rename(cartesian::mergedNames(this->GivenBoundaries(), surface.names()));
+  surface.leaveOutOpenBodies(cartesian::baffleBoundaries(this->Boundaries(), surface.names()));
   return surface;
 }
 

@@ -75,7 +75,8 @@ int vtkPatcher::RequestData(
   }
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     execution.stage("Shoeboxes", 0, cartesian::AfterBoxes);
-    const cartesian::SurfaceFromVTK source(vtkDataObject::GetData(input[0]), this->BoundaryArray);
+    cartesian::SurfaceFromVTK source(vtkDataObject::GetData(input[0]), this->BoundaryArray);
+    source.leaveOutOpenBodies({}); // as the boxes
     const cartesian::Boxes boxes = cartesian::boxesFromVTK(vtkUnstructuredGrid::GetData(input[1]));
     checkPlace(cartesian::boundsOf(source.view()), boxes.lattice);
     cartesian::Surface surface = cartesian::onLattice(source.view(), boxes.lattice, execution);

@@ -77,6 +77,21 @@ void SetTriangles(const cartesian::SurfaceView& view, vtkPolyData* output)
   }
 }
 
+// After the lines. Nothing if there are none.
+void SetOpenBodies(const std::vector<std::uint8_t>& open, vtkPolyData* output)
+{
+  if (open.empty())
+  {
+    return;
+  }
+  vtkNew<vtkUnsignedCharArray> cells;
+  cells->SetName(cartesian::OpenBodyArray);
+  cells->SetNumberOfValues(output->GetNumberOfCells());
+  cells->Fill(0);
+  std::copy(open.begin(), open.end(), cells->GetPointer(output->GetNumberOfLines()));
+  output->GetCellData()->AddArray(cells);
+}
+
 // Which cells are selected.
 std::vector<bool> selectedCells(vtkPolyData* surface, vtkSelection* selection)
 {
@@ -203,7 +218,7 @@ int vtkSplitSurface::RequestData(
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     vtkDataObject* data = vtkDataObject::GetData(input[0]);
     const cartesian::SurfaceFromVTK surface(data, this->BoundaryArray);
-    this->Warn(surface.describeUndivided());
+    this->Warn(surface.describeLeftOut());
     vtkNew<vtkPolyData> result;
     std::vector<vtkIdType> cells = surface.cells();
     if (auto* whole = vtkPolyData::SafeDownCast(data))
@@ -213,6 +228,7 @@ int vtkSplitSurface::RequestData(
     else
     {
       SetTriangles(surface.view(), result);
+      SetOpenBodies(surface.openBodies(), result);
       std::iota(cells.begin(), cells.end(), result->GetNumberOfLines());
     }
     const cartesian::SplitSpec spec{ static_cast<cartesian::SplitBy>(this->SplitBy),

@@ -29,7 +29,7 @@ int vtkSurfaceInspector::RequestData(
     return 1;
   }
   this->Run(0, cartesian::AfterDefects, [&](cartesian::Execution& execution) {
-    const cartesian::SurfaceFromVTK surface(vtkDataObject::GetData(input[0]), this->BoundaryArray);
+    const cartesian::SurfaceFromVTK surface = this->Read(vtkDataObject::GetData(input[0]));
     const cartesian::PreparedSurface prepared = this->Prepare(surface, execution);
     this->Inspect(prepared, surface, vtkPolyData::GetData(output), execution);
   });

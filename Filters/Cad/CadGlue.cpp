@@ -6,9 +6,12 @@
 #include <BOPAlgo_Builder.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
+#include <ShapeAnalysis_ShapeTolerance.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -16,6 +19,8 @@
 #include <TopoDS_Iterator.hxx>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <sstream>
 
 namespace cartesian
@@ -23,6 +28,18 @@ namespace cartesian
 
 namespace
 {
+
+// Whether a solid is no thicker, in the mean, than shapes are exact: such as one of the same face from both sides, which
+// the fuse makes where solids share a torus.
+bool isFilm(const TopoDS_Shape& solid)
+{
+  GProp_GProps inside;
+  GProp_GProps around;
+  BRepGProp::VolumeProperties(solid, inside);
+  BRepGProp::SurfaceProperties(solid, around);
+  const double exactness = ShapeAnalysis_ShapeTolerance().Tolerance(solid, 1); // the largest
+  return 2 * std::abs(inside.Mass()) <= exactness * around.Mass();
+}
 
 // The general fuse of copies: instances share their faces, which would be moved together else.
 class Fuse
@@ -124,7 +141,9 @@ private:
     {
       return { solid };
     }
-    return { images.begin(), images.end() };
+    std::vector<TopoDS_Shape> all(images.begin(), images.end());
+    const auto end = std::remove_if(all.begin(), all.end(), isFilm);
+    return { all.begin(), end == all.begin() ? all.end() : end };
   }
 
   const CadReport& report_;
@@ -188,6 +207,7 @@ void glue(std::vector<CadPart>& parts, const CadOptions& options, const CadRepor
       "off Glue Solids.");
     return;
   }
+  std::map<std::string, int> pieces;
   for (std::size_t p = 0; p < glued.size(); ++p)
   {
     if (fuse.isCommon(p))
@@ -195,6 +215,15 @@ void glue(std::vector<CadPart>& parts, const CadOptions& options, const CadRepor
       report.warning("Solids overlap at " + placeOf(glued[p].shape, options.unit) +
         ": what several of them hold is the solid " + glued[p].name +
         ". Correct the assembly if they should only touch.");
+    }
+    pieces[glued[p].name] += fuse.isCommon(p) ? 0 : 1;
+  }
+  for (const auto& [name, count] : pieces)
+  {
+    if (count > 1)
+    {
+      report.warning("Gluing divided the solid " + name + " into " + std::to_string(count) +
+        " solids: another one passes through it. Correct the assembly if they should only touch.");
     }
   }
   report.note("Glued: " + std::to_string(solids.size()) + " solids, which share " +

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CadHeal.h"
 
+#include "CadBodies.h"
+
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
@@ -16,6 +18,7 @@
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -43,7 +46,8 @@ struct Sewn
 {
   TopoDS_Shape shape;
   std::vector<FaceAttributes> faces;
-  int open = 0; // edges
+  int open = 0;                     // edges
+  std::vector<TopoDS_Shape> images; // of the part's faces
 };
 
 Sewn sew(const CadPart& part, double tolerance)
@@ -57,6 +61,7 @@ Sewn sew(const CadPart& part, double tolerance)
   sewing.Perform();
   FaceHistory history;
   history.add(part);
+  std::vector<TopoDS_Shape> images;
   for (int i = 1; i <= faces.Extent(); ++i)
   {
     const TopoDS_Shape image = sewing.ModifiedSubShape(faces(i));
@@ -64,9 +69,10 @@ Sewn sew(const CadPart& part, double tolerance)
     {
       history.follow(faces(i), face.Current());
     }
+    images.push_back(image);
   }
   const TopoDS_Shape shape = sewing.SewedShape();
-  return { shape, history.of(shape), freeEdges(shape).Extent() };
+  return { shape, history.of(shape), freeEdges(shape).Extent(), images };
 }
 
 Sewn sewAsNeeded(const CadPart& part, bool hasTopology, const CadOptions& options)
@@ -149,6 +155,21 @@ std::vector<CadPart> partsOf(const Sewn& sewn, const CadPart& former)
   return parts;
 }
 
+// Some of a part's faces.
+CadPart partOf(const CadPart& part, const std::vector<std::size_t>& which)
+{
+  const TopTools_IndexedMapOfShape faces = facesOf(part.shape);
+  FaceHistory history;
+  history.add(part);
+  TopoDS_Compound some;
+  BRep_Builder().MakeCompound(some);
+  for (const std::size_t f : which)
+  {
+    BRep_Builder().Add(some, faces(static_cast<int>(f) + 1));
+  }
+  return { some, part.name, history.of(some), part.instance };
+}
+
 CadPart united(const std::vector<CadPart>& parts)
 {
   CadPart all;
@@ -214,7 +235,33 @@ private:
         placeOf(part.shape, options_.unit) + ", free edges " + std::to_string(before) +
         " before, " + std::to_string(sewing.open) + " after.");
     }
-    return partsOf(sewing, part);
+    const std::vector<std::vector<std::size_t>> bodies = bodiesOf(sewing.images);
+    std::vector<CadPart> together = partsOf(sewing, part);
+    if (bodies.size() < 2)
+    {
+      return together;
+    }
+    std::vector<CadPart> apart = eachSewn(bodies, part);
+    const auto isBetter = sewing.open > 0 ? std::any_of(apart.begin(), apart.end(), isSolid)
+                                          : std::all_of(apart.begin(), apart.end(), isSolid);
+    if (isBetter)
+    {
+      report_.note("Divided: bodies that touch, at " + placeOf(part.shape, options_.unit) + ".");
+    }
+    return isBetter ? apart : together;
+  }
+
+  std::vector<CadPart> eachSewn(
+    const std::vector<std::vector<std::size_t>>& bodies, const CadPart& part) const
+  {
+    std::vector<CadPart> all;
+    for (const std::vector<std::size_t>& body : bodies)
+    {
+      const CadPart own = partOf(part, body);
+      const std::vector<CadPart> made = partsOf(sewAsNeeded(own, hasTopology_, options_), own);
+      all.insert(all.end(), made.begin(), made.end());
+    }
+    return all;
   }
 
   bool hasTopology_;

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CadKinks.h"
 
+#include "CadTriangles.h"
+
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools_History.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeUpgrade_ShapeDivideContinuity.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
+
+#include <optional>
+#include <utility>
 
 namespace cartesian
 {
@@ -31,17 +36,17 @@ int countKinked(const TopTools_IndexedMapOfShape& faces)
   return count;
 }
 
-// False where it would open the part.
-bool divide(CadPart& part, const TopTools_IndexedMapOfShape& faces)
+// Nothing where it would open the part.
+std::optional<CadPart> divided(const CadPart& part, const TopTools_IndexedMapOfShape& faces)
 {
   ShapeUpgrade_ShapeDivideContinuity division(part.shape);
   division.SetSurfaceCriterion(GeomAbs_C1);
   division.Perform();
-  const TopoDS_Shape divided = division.Result();
-  if (divided.IsNull() || divided.ShapeType() != part.shape.ShapeType() ||
-    freeEdges(divided).Extent() > freeEdges(part.shape).Extent())
+  const TopoDS_Shape shape = division.Result();
+  if (shape.IsNull() || shape.ShapeType() != part.shape.ShapeType() ||
+    freeEdges(shape).Extent() > freeEdges(part.shape).Extent())
   {
-    return false;
+    return {};
   }
   FaceHistory history;
   history.add(part);
@@ -54,25 +59,42 @@ bool divide(CadPart& part, const TopTools_IndexedMapOfShape& faces)
       history.follow(faces(i), images(k));
     }
   }
-  part.shape = divided;
-  part.faces = history.of(divided);
-  return true;
+  return CadPart{ shape, part.name, history.of(shape), part.instance };
 }
 
-}
-
-void divideAtKinks(std::vector<CadPart>& parts, const CadReport& report)
+// Divided faces may be so thin at an end that Open CASCADE cannot triangulate them.
+bool opensTriangles(
+  const CadPart& divided, const CadPart& part, double deflection, const CadOptions& options)
 {
-  int divided = 0;
+  return gapsOf(divided, deflection, options) > 0 && gapsOf(part, deflection, options) == 0;
+}
+
+}
+
+void divideAtKinks(std::vector<CadPart>& parts, const CadOptions& options, const CadReport& report)
+{
+  int count = 0;
+  const double deflection = deflectionOf(parts, options);
   for (CadPart& part : parts)
   {
     const TopTools_IndexedMapOfShape faces = facesOf(part.shape);
     const int kinked = countKinked(faces);
-    divided += kinked > 0 && divide(part, faces) ? kinked : 0;
+    std::optional<CadPart> pieces = kinked > 0 ? divided(part, faces) : std::nullopt;
+    if (pieces && opensTriangles(*pieces, part, deflection, options))
+    {
+      report.note("Not divided along kinks: " + part.name + " at " +
+        placeOf(part.shape, options.unit) +
+        ", whose triangles would be open. Kinks are no sharp edges there.");
+    }
+    else if (pieces)
+    {
+      part = std::move(*pieces);
+      count += kinked;
+    }
   }
-  if (divided > 0)
+  if (count > 0)
   {
-    report.note("Divided: " + std::to_string(divided) + " faces, along the kinks inside them.");
+    report.note("Divided: " + std::to_string(count) + " faces, along the kinks inside them.");
   }
 }
 

@@ -2,11 +2,13 @@
 // Divides faces along the kinks inside them, which some modellers write: else they are no edges.
 #pragma once
 
+#include "CadOptions.h"
 #include "CadPart.h"
 
 namespace cartesian
 {
 
-void divideAtKinks(std::vector<CadPart>& parts, const CadReport& report);
+// A part whose triangles close only undivided stays as it is.
+void divideAtKinks(std::vector<CadPart>& parts, const CadOptions& options, const CadReport& report);
 
 }

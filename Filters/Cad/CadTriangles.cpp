@@ -8,6 +8,7 @@
 #include "CadWeld.h"
 
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -99,6 +100,7 @@ public:
     , unit_(unit)
   {
     solid_.name = part.name;
+    solid_.isOpenBody = part.shape.ShapeType() == TopAbs_SOLID ? 0 : 1;
     addFaces(boundary);
     addLines(boundary);
     solid_.openEdges = countOpen();
@@ -395,13 +397,29 @@ std::vector<CadSolid> trianglesOf(const std::vector<CadPart>& parts,
   return std::move(attempt.solids);
 }
 
+double deflectionOf(const std::vector<CadPart>& parts, const CadOptions& options)
+{
+  return options.deflection > 0 ? options.deflection
+                                : DeflectionOfSize * longestSide(together(parts)) / options.unit;
+}
+
+int gapsOf(const CadPart& part, double deflection, const CadOptions& options)
+{
+  CadPart copy = part;
+  copy.shape = BRepBuilderAPI_Copy(part.shape, Standard_False).Shape();
+  mesh(copy.shape, deflection * options.unit, options.angle, Message_ProgressRange());
+  CadWeld weld;
+  Triangulation triangulation(
+    weld, copy, std::vector<std::int32_t>(copy.faces.size()), options.unit);
+  return triangulation.lacking() + triangulation.solid().openEdges;
+}
+
 std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,
   const CadBoundaries& boundaries, const CadOptions& options, const CadReport& report)
 {
   const TopoDS_Compound all = together(parts);
   // In the unit of the result: given back as an option, it makes the same triangles, bit for bit.
-  const double asked = options.deflection > 0 ? options.deflection
-                                              : DeflectionOfSize * longestSide(all) / options.unit;
+  const double asked = deflectionOf(parts, options);
   if (!(asked > 0))
   {
     throw CadError("holds shapes without extent only. Export the part again.");

@@ -8,6 +8,12 @@
 namespace cartesian
 {
 
+// Largest distance of triangles from the shapes, in the unit of the result, as far as it is not to be finer.
+double deflectionOf(const std::vector<CadPart>& parts, const CadOptions& options);
+
+// Of a part by itself, its faces without triangles and the open edges of its triangles. `deflection`: as above.
+int gapsOf(const CadPart& part, double deflection, const CadOptions& options);
+
 // One for each part. Where a face lacks triangles, or edges stay open, the part is tried again, finer.
 std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,
   const CadBoundaries& boundaries, const CadOptions& options, const CadReport& report);

@@ -99,7 +99,7 @@ void prepare(
   CadFile& file, const std::string& name, const CadOptions& options, const CadReport& report)
 {
   heal(file, options, report);
-  divideAtKinks(file.parts, report);
+  divideAtKinks(file.parts, options, report);
   if (options.mergesCoplanar)
   {
     mergeCoplanar(file.parts, report);

@@ -148,7 +148,8 @@ struct CadSolid
   std::uint8_t knowsEdges = 1; // 0: angles tell which are sharp
   double deflection = 0;
   double volumeOfTriangles = 0;
-  std::int32_t openEdges = 0; // of triangles that lack a neighbour
+  std::int32_t openEdges = 0;  // of triangles that lack a neighbour
+  std::uint8_t isOpenBody = 0; // 1: faces that form no solid
 
   // For Packer and Unpacker alike.
   template <typename Visit>
@@ -166,6 +167,7 @@ struct CadSolid
     with(volumeOfTriangles);
     with(deflection);
     with(openEdges);
+    with(isOpenBody);
   }
 };
 

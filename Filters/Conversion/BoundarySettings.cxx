@@ -229,6 +229,20 @@ std::map<std::int32_t, int> boundaryDepths(
   return depths;
 }
 
+std::set<std::int32_t> baffleBoundaries(
+  const BoundarySettings& settings, const BoundaryNames& names)
+{
+  std::set<std::int32_t> found;
+  for (const auto& [boundary, row] : rowsOfBoundaries(settings.names, names))
+  {
+    if (row < settings.types.size() && settings.types[row] == BaffleType)
+    {
+      found.insert(boundary);
+    }
+  }
+  return found;
+}
+
 std::vector<std::int32_t> layerRegions(
   const std::vector<std::string>& asked, const std::vector<std::string>& regions)
 {

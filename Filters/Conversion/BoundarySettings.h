@@ -7,6 +7,7 @@
 #include "Surface/WallLayerSpec.h"
 #include "Surface/Walls.h"
 
+#include <set>
 #include <vector>
 
 namespace cartesian
@@ -52,6 +53,10 @@ std::vector<BoundaryRatio> boundaryRatios(const BoundarySettings& settings,
   const BoundaryNames& names, const EndBoundaries& sides, SmallCells handling);
 std::map<std::int32_t, int> boundaryDepths(
   const BoundarySettings& settings, const BoundaryNames& names, const EndBoundaries& sides);
+
+// Boundaries of BaffleType. Rows that are wrong, or of sides that are added later, are passed over.
+std::set<std::int32_t> baffleBoundaries(
+  const BoundarySettings& settings, const BoundaryNames& names);
 
 // The numbers of regions (Walls.h) by name. Throws Error (BadParameter) if there is none of a name.
 std::vector<std::int32_t> layerRegions(

@@ -72,6 +72,11 @@ void setCellData(const CadSolid& solid, const std::vector<std::string>& names, v
   {
     block->GetCellData()->AddArray(sharp);
   }
+  vtkNew<vtkUnsignedCharArray> open;
+  open->SetName(OpenBodyArray);
+  open->SetNumberOfValues(static_cast<vtkIdType>(boundary.size()));
+  open->Fill(solid.isOpenBody);
+  block->GetCellData()->AddArray(open);
 }
 
 void setFieldData(const CadSolid& solid, const std::vector<std::string>& names, vtkPolyData* block)

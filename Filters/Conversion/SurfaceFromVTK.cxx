@@ -4,21 +4,18 @@
 #include "Base/Error.h"
 #include "Lattice/Vector.h"
 #include "SurfaceBlocks.h"
+#include "SurfacePolygons.h"
 #include "Utf8.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
-#include "vtkTriangleFilter.h"
-#include "vtkUnsignedCharArray.h"
 
 #include "vtksys/SystemTools.hxx"
 
@@ -34,66 +31,6 @@ namespace cartesian
 namespace
 {
 
-constexpr const char* CellIds = "CartesianMesherCellIds";
-
-bool allTriangles(vtkPolyData* input)
-{
-  return input->GetNumberOfStrips() == 0 && input->GetPolys()->GetMaxCellSize() <= 3;
-}
-
-// The same surface in triangles; its array CellIds has the cell of the input that each comes from.
-vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* input)
-{
-  vtkNew<vtkPolyData> numbered;
-  numbered->ShallowCopy(input);
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(CellIds);
-  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
-  {
-    ids->InsertNextValue(i);
-  }
-  numbered->GetCellData()->AddArray(ids);
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(numbered);
-  filter->PassVertsOff();
-  filter->PassLinesOff();
-  filter->Update();
-  return filter->GetOutput();
-}
-
-// Cells that VTK takes for absent: blanked, refined elsewhere, copies of another piece's, or with a blanked
-// point. Empty if there are none.
-std::vector<bool> hiddenCells(vtkPolyData* block)
-{
-  constexpr int HiddenCell = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL |
-    vtkDataSetAttributes::DUPLICATECELL;
-  vtkUnsignedCharArray* cells = block->GetCellGhostArray();
-  vtkUnsignedCharArray* points = block->GetPointGhostArray();
-  if (!cells && !points)
-  {
-    return {};
-  }
-  std::vector<bool> hidden;
-  for (vtkCellArray* kind :
-    { block->GetVerts(), block->GetLines(), block->GetPolys(), block->GetStrips() })
-  {
-    auto cell = vtk::TakeSmartPointer(kind->NewIterator());
-    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
-    {
-      vtkIdType size = 0;
-      const vtkIdType* corners = nullptr;
-      cell->GetCurrentCell(size, corners);
-      const auto isHidden = [&](vtkIdType point) {
-        return (points->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT) != 0;
-      };
-      const auto id = static_cast<vtkIdType>(hidden.size());
-      hidden.push_back((cells && (cells->GetValue(id) & HiddenCell) != 0) ||
-        (points && std::any_of(corners, corners + size, isHidden)));
-    }
-  }
-  return hidden;
-}
-
 // Which lines are sharp edges; null: not known.
 vtkDataArray* sharpEdgesOf(vtkPolyData* block)
 {
@@ -102,39 +39,6 @@ vtkDataArray* sharpEdgesOf(vtkPolyData* block)
       array->GetNumberOfTuples() == block->GetNumberOfCells()
     ? array
     : nullptr;
-}
-
-// How many of a polygon's corners differ from the one before.
-std::size_t differentCorners(vtkPoints* points, vtkIdType size, const vtkIdType* corners)
-{
-  std::size_t count = 0;
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    std::array<double, 3> a;
-    std::array<double, 3> b;
-    points->GetPoint(corners[i], a.data());
-    points->GetPoint(corners[(i + 1) % size], b.data());
-    count += a != b;
-  }
-  return count;
-}
-
-// Whether a polygon's corners lie on one line.
-bool isFlat(vtkPoints* points, vtkIdType size, const vtkIdType* corners)
-{
-  std::array<Vector, 3> p;
-  points->GetPoint(corners[0], p[0].data());
-  for (vtkIdType i = 2; i < size; ++i)
-  {
-    points->GetPoint(corners[i - 1], p[1].data());
-    points->GetPoint(corners[i], p[2].data());
-    const Vector area = cross(minus(p[1], p[0]), minus(p[2], p[0]));
-    if (area[0] != 0 || area[1] != 0 || area[2] != 0)
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 // The boundary that a cell array gives for `cell`, which the user knows as `userCell`.
@@ -193,6 +97,7 @@ SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundary
     const std::size_t pointsBefore = points_.size() / 3;
     readTriangles(block.surface);
     readSharpEdges(block.surface, pointsBefore);
+    readOpenBodies(block.surface);
     findUndivided(block.surface);
     if (isChosen || found)
     {
@@ -322,6 +227,22 @@ void SurfaceFromVTK::readSharpEdges(vtkPolyData* block, std::size_t pointsBefore
   }
 }
 
+void SurfaceFromVTK::readOpenBodies(vtkPolyData* block)
+{
+  vtkDataArray* const open = block->GetCellData()->GetArray(OpenBodyArray);
+  const bool isKnown = open && open->GetNumberOfComponents() == 1 &&
+    open->GetNumberOfTuples() == block->GetNumberOfCells();
+  if (!isKnown && isOfOpenBody_.empty())
+  {
+    return;
+  }
+  isOfOpenBody_.resize(cells_.size());
+  for (auto t = cells_.size(); isKnown && t > 0 && cells_[t - 1] >= cellsBefore_; --t)
+  {
+    isOfOpenBody_[t - 1] = open->GetComponent(cells_[t - 1] - cellsBefore_, 0) == 0 ? 0 : 1;
+  }
+}
+
 // VTK leaves polygons that cross or touch themselves out, or a part of them.
 void SurfaceFromVTK::findUndivided(vtkPolyData* block)
 {
@@ -349,6 +270,13 @@ void SurfaceFromVTK::findUndivided(vtkPolyData* block)
       undivided_.push_back(cellsBefore_ + static_cast<vtkIdType>(id));
     }
   }
+}
+
+std::string SurfaceFromVTK::describeLeftOut() const
+{
+  const std::string undivided = describeUndivided();
+  const std::string open = leftOut_.describe(names_);
+  return undivided + (undivided.empty() || open.empty() ? "" : "\n") + open;
 }
 
 std::string SurfaceFromVTK::describeUndivided() const
@@ -448,6 +376,94 @@ void SurfaceFromVTK::readRegions(vtkPolyData* block, const std::string& name)
     }
     region_.push_back(at->second);
   }
+}
+
+void SurfaceFromVTK::leaveOutOpenBodies(const std::set<std::int32_t>& baffles)
+{
+  const bool isAllOpen =
+    std::find(isOfOpenBody_.begin(), isOfOpenBody_.end(), 0) == isOfOpenBody_.end();
+  if (isAllOpen)
+  {
+    return;
+  }
+  const SurfaceView all = view();
+  std::vector<std::uint8_t> isLeftOut = isOfOpenBody_;
+  for (std::size_t t = 0; t < isLeftOut.size(); ++t)
+  {
+    isLeftOut[t] = isLeftOut[t] != 0 && baffles.count(boundary_[t]) == 0 ? 1 : 0;
+    if (isLeftOut[t] != 0)
+    {
+      leftOut_.add(boundary_[t], all.corners(t));
+    }
+  }
+  placeBaffles();
+  drop(isLeftOut);
+  dropEmptyRegions();
+}
+
+// Open bodies in blocks of their own are in no region yet.
+void SurfaceFromVTK::placeBaffles()
+{
+  std::set<std::int32_t> bounded;
+  for (std::size_t t = 0; t < region_.size(); ++t)
+  {
+    if (isOfOpenBody_[t] == 0)
+    {
+      bounded.insert(region_[t]);
+    }
+  }
+  std::vector<std::int32_t> placed = region_;
+  for (std::size_t t = 0; t < region_.size(); ++t)
+  {
+    if (bounded.count(region_[t]) == 0)
+    {
+      const SurfaceView all = view();
+      const std::array<Vector, 3> c = all.corners(t);
+      placed[t] = regionAround(all, isOfOpenBody_, scaled(plus(plus(c[0], c[1]), c[2]), 1.0 / 3));
+    }
+  }
+  region_ = std::move(placed);
+}
+
+void SurfaceFromVTK::drop(const std::vector<std::uint8_t>& triangles)
+{
+  const auto keep = [&](auto& values, std::size_t size) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      if (triangles[i / size] == 0)
+      {
+        values[kept++] = values[i];
+      }
+    }
+    values.resize(kept);
+  };
+  keep(triangles_, 3);
+  keep(cells_, 1);
+  keep(knowsEdges_, 1);
+  keep(boundary_, 1);
+  keep(region_, 1);
+  keep(isOfOpenBody_, 1);
+}
+
+void SurfaceFromVTK::dropEmptyRegions()
+{
+  std::vector<std::string> names;
+  std::vector<std::int32_t> becomes;
+  for (std::size_t i = 0; i < regionNames_.size(); ++i)
+  {
+    const std::int32_t region = FirstRegion + static_cast<std::int32_t>(i);
+    becomes.push_back(FirstRegion + static_cast<std::int32_t>(names.size()));
+    if (std::find(region_.begin(), region_.end(), region) != region_.end())
+    {
+      names.push_back(regionNames_[i]);
+    }
+  }
+  for (std::int32_t& region : region_)
+  {
+    region = becomes[static_cast<std::size_t>(region - FirstRegion)];
+  }
+  regionNames_ = std::move(names);
 }
 
 // A boundary that no triangle has may have the name of one that is there.

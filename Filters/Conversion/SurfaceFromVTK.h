@@ -4,12 +4,14 @@
 
 #include "BoundaryNames.h"
 #include "Mesher/Options.h"
+#include "OpenBodies.h"
 #include "Surface/Surface.h"
 
 #include "vtkType.h"
 
 #include <array>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -64,8 +66,15 @@ public:
   // The cell of the input that each triangle is, or is part of.
   const std::vector<vtkIdType>& cells() const { return cells_; }
 
-  // A message about polygons that could not be triangulated; empty if there are none.
-  std::string describeUndivided() const;
+  // Of each triangle, 1: of an open body (OpenBodyArray). Empty: none is.
+  const std::vector<std::uint8_t>& openBodies() const { return isOfOpenBody_; }
+
+  // Leaves open bodies out where there is anything else, except for boundaries that are baffles: those are of the region that
+  // they lie in, if their block has no solid.
+  void leaveOutOpenBodies(const std::set<std::int32_t>& baffles);
+
+  // A message about polygons that could not be triangulated, and open bodies that were left out; empty if there are none.
+  std::string describeLeftOut() const;
 
   // The names of all boundaries that triangles have: from strings, blocks, or the input's field data.
   const BoundaryNames& names() const { return names_; }
@@ -87,6 +96,7 @@ public:
 private:
   void readTriangles(vtkPolyData* block);
   void readSharpEdges(vtkPolyData* block, std::size_t pointsBefore);
+  void readOpenBodies(vtkPolyData* block);
   void findUndivided(vtkPolyData* block);
   void readBoundaries(vtkPolyData* block, const std::string& name);
   void readBoundaryOfBlock(
@@ -94,6 +104,10 @@ private:
   void readBoundariesByName(vtkPolyData* block, const std::string& name);
   void readRegions(vtkPolyData* block, const std::string& name);
   void addRegion(const std::string& given);
+  std::string describeUndivided() const;
+  void placeBaffles();
+  void drop(const std::vector<std::uint8_t>& triangles);
+  void dropEmptyRegions();
   std::int32_t numberOf(const std::string& given);
   std::int32_t numberOfAdded(const std::string& name);
 
@@ -101,8 +115,10 @@ private:
   std::vector<double> points_;
   std::vector<std::uint32_t> triangles_;
   std::vector<vtkIdType> cells_;
-  std::vector<std::uint32_t> sharpEdges_; // points, two each
-  std::vector<std::uint8_t> knowsEdges_;  // of each triangle; empty: all 0
+  std::vector<std::uint32_t> sharpEdges_;  // points, two each
+  std::vector<std::uint8_t> knowsEdges_;   // of each triangle; empty: all 0
+  std::vector<std::uint8_t> isOfOpenBody_; // of each triangle; empty: all 0
+  LeftOutBodies leftOut_;
   std::vector<std::int32_t> boundary_;
   std::vector<vtkIdType> undivided_; // polygons
   BoundaryNames names_;

@@ -18,6 +18,7 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <gp_Ax1.hxx>
 
 #include <cmath>
 
@@ -106,8 +107,10 @@ TopoDS_Edge polyline(const std::vector<gp_Pnt>& points)
   return BRepBuilderAPI_MakeEdge(new Geom_BSplineCurve(poles, knots, multiplicities, 1));
 }
 
+constexpr double KinksDepth = 8;
+
 // One face with three kinks (a B-spline of degree 1, extruded) above a cuboid's other five.
-void kinks(Folder& folder)
+TopoDS_Shape kinkedShape()
 {
   const std::vector<gp_Pnt> top = { { 0, 0, 10 }, { 5, 0, 12 }, { 10, 0, 9 }, { 15, 0, 12 },
     { 20, 0, 10 } };
@@ -115,13 +118,52 @@ void kinks(Folder& folder)
   wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(20, 0, 10), gp_Pnt(20, 0, 0)));
   wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(20, 0, 0), gp_Pnt(0, 0, 0)));
   wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(0, 0, 10)));
-  const double depth = 8;
-  const TopoDS_Shape shape =
-    BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, depth, 0)).Shape();
+  return BRepPrimAPI_MakePrism(
+    BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, KinksDepth, 0))
+    .Shape();
+}
+
+SolidFacts kinkedFacts()
+{
   const double section = 5 * (11 + 10.5 + 10.5 + 11);
   const double length = 2 * (std::hypot(5.0, 2.0) + std::hypot(5.0, 3.0)) + 10 + 20 + 10;
-  write(folder, "kinks.step", shape, { "kinks", section * depth, 2 * section + depth * length }, 6,
-    { { "kinks", 3 } }, Integrals::Adaptive);
+  return { "kinks", section * KinksDepth, 2 * section + KinksDepth * length };
+}
+
+void kinks(Folder& folder)
+{
+  write(
+    folder, "kinks.step", kinkedShape(), kinkedFacts(), 6, { { "kinks", 3 } }, Integrals::Adaptive);
+}
+
+// A hole that touches a kink: divided there, the face cannot be triangulated closed.
+void holeAtKink(Folder& folder)
+{
+  const double radius = 2, middle = 8, height = 10.2, slope = 3.0 / 5; // in the middle of the hole
+  const gp_Ax2 axis(gp_Pnt(middle, KinksDepth / 2, -5), gp::DZ());
+  const TopoDS_Shape shape = cut(kinkedShape(), cylinder(axis, radius, 40));
+  for (const double size : { 0.1, 1.0, 10.0 })
+  {
+    for (const int degrees : { 0, 10, 30, 45 })
+    {
+      gp_Trsf scaling;
+      scaling.SetScale(gp::Origin(), size);
+      gp_Trsf turn;
+      turn.SetRotation(gp_Ax1(gp::Origin(), gp_Dir(1, 2, 3)), degrees * Degree);
+      SolidFacts solid = kinkedFacts();
+      const double section = Pi * radius * radius;
+      solid.volume = (solid.volume - section * height) * std::pow(size, 3);
+      solid.area = (solid.area - section * (1 + std::hypot(1, slope)) + 2 * Pi * radius * height) *
+        std::pow(size, 2);
+      Facts facts;
+      facts.solids = { solid };
+      facts.faces = 7;
+      facts.integrals = Integrals::AcrossKinks;
+      folder.brep("hole_at_kink_" + std::to_string(static_cast<int>(10 * size)) + "_" +
+          std::to_string(degrees) + ".brep",
+        moved(shape, turn * scaling), facts);
+    }
+  }
 }
 
 // Two pipes of one radius through each other, which share Steinmetz's solid: 16/3 r^3, and 16 r^2 of their walls.
@@ -186,7 +228,7 @@ void splines(Folder& folder)
 
 const std::map<std::string, Part> Curved = { { "rounded box", roundedBox },
   { "rounded edge", roundedEdge }, { "crease", crease }, { "kinks", kinks },
-  { "crossing pipes", crossingPipes }, { "torus", torus }, { "sphere", sphere }, { "cone", cone },
-  { "splines", splines } };
+  { "hole at kink", holeAtKink }, { "crossing pipes", crossingPipes }, { "torus", torus },
+  { "sphere", sphere }, { "cone", cone }, { "splines", splines } };
 
 }

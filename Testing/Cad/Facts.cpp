@@ -27,7 +27,9 @@ struct Tolerances
 
 Tolerances tolerancesOf(Integrals integrals)
 {
-  return integrals == Integrals::FixedOrder ? Tolerances{ 1e-9, 1e-9 } : Tolerances{ 1e-7, 2e-3 };
+  return integrals == Integrals::FixedOrder ? Tolerances{ 1e-9, 1e-9 }
+    : integrals == Integrals::Adaptive      ? Tolerances{ 1e-7, 2e-3 }
+                                            : Tolerances{ 1e-5, 2e-3 };
 }
 
 bool equal(double one, double other, double tolerance)

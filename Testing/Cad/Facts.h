@@ -24,7 +24,8 @@ struct SolidFacts
 enum class Integrals
 {
   FixedOrder, // of OCCT: to 1e-9 on planes and quadrics, wrong by up to 3e-3 on B-splines
-  Adaptive    // volumes to 1e-7 on all surfaces; slow
+  Adaptive,   // volumes to 1e-7 on all surfaces; slow
+  AcrossKinks // volumes to 1e-5 where a face with kinks has holes
 };
 
 struct Facts

@@ -2,7 +2,14 @@
 #include "Parts.h"
 #include "Shapes.h"
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepOffsetAPI_MakePipe.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <TopoDS.hxx>
+#include <gp_Ax1.hxx>
+#include <gp_Circ.hxx>
 
 #include <cmath>
 
@@ -101,6 +108,55 @@ void apart(Folder& folder)
     12, {});
 }
 
+// Fluid in a pipe along an arc: the contact is a part of a torus, of which the fuse makes a solid without volume, too.
+void bend(Folder& folder, double size, int degrees)
+{
+  const double arc = 0.5, large = 30 * size, inner = 10 * size, outer = 11 * size;
+  gp_Trsf turn;
+  turn.SetRotation(gp_Ax1(gp::Origin(), gp_Dir(1, 2, 3)), degrees * Degree);
+  const gp_Ax2 middle(gp_Pnt(large, 0, 0), gp::DZ(), -gp::DX());
+  const gp_Circ path(gp_Ax2(gp::Origin(), -gp::DY(), gp::DX()), large);
+  const TopoDS_Wire arcs =
+    BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(path, 0, arc).Edge()).Wire();
+  const auto circle = [&](double radius) {
+    return BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(middle, radius)).Edge()).Wire();
+  };
+  const TopoDS_Face disc = BRepBuilderAPI_MakeFace(circle(inner));
+  const TopoDS_Face ring = BRepBuilderAPI_MakeFace(
+    BRepBuilderAPI_MakeFace(circle(outer)).Face(), TopoDS::Wire(circle(inner).Reversed()));
+  const auto swept = [&](const TopoDS_Face& section) {
+    return moved(BRepOffsetAPI_MakePipe(arcs, section).Shape(), turn);
+  };
+  const auto facts = [&](const std::string& name, double hole, double radius) {
+    const double section = Pi * (radius * radius - hole * hole);
+    return SolidFacts{ name, section * large * arc,
+      2 * section + 2 * Pi * (radius + hole) * large * arc };
+  };
+  write(folder,
+    "bend_" + std::to_string(static_cast<int>(10 * size)) + "_" + std::to_string(degrees) + ".step",
+    { { swept(disc), facts("fluid", 0, inner) }, { swept(ring), facts("wall", inner, outer) } }, 7,
+    { { "contactArea", 2 * Pi * inner * large * arc } });
+}
+
+void bends(Folder& folder)
+{
+  for (const double size : { 0.1, 1.0, 10.0 })
+  {
+    for (const int degrees : { 0, 10, 30, 45 })
+    {
+      bend(folder, size, degrees);
+    }
+  }
+}
+
+// A rod through a plate, which divides it.
+void rodThroughPlate(Folder& folder)
+{
+  const Body rod{ cylinder(gp_Ax2(gp_Pnt(5, 5, -10), gp::DZ()), 2, 30),
+    cylinderFacts("rod", 2, 30) };
+  write(folder, "rod_through_plate.step", { cube("plate", gp::Origin(), 10), rod }, 9, {});
+}
+
 // A solid of two shells.
 void hollow(Folder& folder)
 {
@@ -117,6 +173,6 @@ void hollow(Folder& folder)
 const std::map<std::string, Part> Solids = { { "turned cube", turnedCube },
   { "cylinder on cube", cylinderOnCube }, { "overhang", overhang }, { "overlap", overlap },
   { "touch at edge", touchAtEdge }, { "touch at corner", touchAtCorner }, { "apart", apart },
-  { "hollow", hollow } };
+  { "bends", bends }, { "rod through plate", rodThroughPlate }, { "hollow", hollow } };
 
 }

@@ -3,10 +3,12 @@
 #include "Shapes.h"
 
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Shell.hxx>
+#include <gp_Ax1.hxx>
 
 namespace cartesian
 {
@@ -24,6 +26,17 @@ TopoDS_Shape shell(const std::vector<TopoDS_Face>& faces)
     builder.Add(result, face);
   }
   return result;
+}
+
+TopoDS_Shape sewn(const std::vector<TopoDS_Face>& faces)
+{
+  BRepBuilderAPI_Sewing sewing;
+  for (const TopoDS_Face& face : faces)
+  {
+    sewing.Add(face);
+  }
+  sewing.Perform();
+  return sewing.SewedShape();
 }
 
 // One side of a cube in squares, each smaller by half a gap all around.
@@ -132,6 +145,45 @@ void solidAndSheet(Folder& folder)
   folder.step("solid_and_sheet.step", document, facts);
 }
 
+// A square tube without ends inside a solid, turned.
+void strayTube(Folder& folder)
+{
+  const double side = 4, length = 6;
+  const gp_Pnt low(-2, -2, -3);
+  const gp_Vec x(side, 0, 0), y(0, side, 0), z(0, 0, length);
+  const TopoDS_Shape tube = sewn({ rectangle(low, x, z), rectangle(low.Translated(x), y, z),
+    rectangle(low.Translated(x + y), -x, z), rectangle(low.Translated(y), -y, z) });
+  for (const int degrees : { 0, 10, 30, 45 })
+  {
+    gp_Trsf turn;
+    turn.SetRotation(gp_Ax1(gp::Origin(), gp_Dir(1, 2, 3)), degrees * Degree);
+    Document document;
+    document.add(moved(box({ -10, -6, -5 }, { 10, 6, 5 }), turn), "body");
+    document.add(moved(tube, turn), "tube");
+    Facts facts;
+    facts.solids = { boxFacts("body", 20, 12, 10) };
+    facts.area = facts.solids[0].area + 4 * side * length;
+    facts.faces = 10;
+    facts.openEdges = 8;
+    folder.step("stray_tube_" + std::to_string(degrees) + ".step", document, facts);
+  }
+}
+
+// Two solids that touch, and a sheet from wall to wall of the second.
+void partition(Folder& folder)
+{
+  Document document;
+  document.add(box(gp::Origin(), { 10, 10, 10 }), "left");
+  document.add(box({ 10, 0, 0 }, { 20, 10, 10 }), "right");
+  document.add(rectangle({ 14, 0, 0 }, { 0, 10, 0 }, { 0, 0, 10 }), "splitter");
+  Facts facts;
+  facts.solids = { boxFacts("left", 10, 10, 10), boxFacts("right", 10, 10, 10) };
+  facts.area = 1300;
+  facts.faces = 13;
+  facts.openEdges = 4;
+  folder.step("partition.step", document, facts);
+}
+
 // Each face by itself in the file; the facts are those of the sewn solid.
 void igesFaces(Folder& folder)
 {
@@ -143,6 +195,37 @@ void igesFaces(Folder& folder)
   folder.iges("faces_inch.igs", shape, IgesForm::Faces, facts, "INCH");
   folder.iges("solid.igs", shape, IgesForm::Solid, facts);
   folder.brep("solid.brep", shape, facts);
+}
+
+// Solids whose faces meet in edges, as loose faces: three cubes in a row, and two that share one edge.
+void touchingFaces(Folder& folder)
+{
+  for (const double size : { 0.1, 1.0, 10.0 })
+  {
+    for (const int degrees : { 0, 10, 30, 45 })
+    {
+      gp_Trsf turn;
+      turn.SetRotation(gp_Ax1(gp::Origin(), gp_Dir(1, 2, 3)), degrees * Degree);
+      const std::string name = "touching_" + std::to_string(static_cast<int>(10 * size)) + "_" +
+        std::to_string(degrees) + ".igs";
+      Facts facts;
+      facts.solids.assign(3, boxFacts("", size, size, size));
+      facts.faces = 18;
+      facts.others = { { "contactArea", 2 * size * size } };
+      std::vector<TopoDS_Shape> row;
+      for (const double x : { 0.0, size, 2 * size })
+      {
+        row.push_back(moved(box({ x, 0, 0 }, { x + size, size, size }), turn));
+      }
+      folder.iges(name, compound(row), IgesForm::Faces, facts);
+    }
+  }
+  Facts facts;
+  facts.solids = { boxFacts("", 10, 10, 10), boxFacts("", 10, 10, 10) };
+  facts.faces = 12;
+  folder.iges("touching_edge.igs",
+    compound({ box(gp::Origin(), { 10, 10, 10 }), box({ 10, 10, 0 }, { 20, 20, 10 }) }),
+    IgesForm::Faces, facts);
 }
 
 void igesSphere(Folder& folder)
@@ -159,7 +242,8 @@ void igesSphere(Folder& folder)
 }
 
 const std::map<std::string, Part> Surfaces = { { "gaps", gaps }, { "six faces", sixFaces },
-  { "sheet", sheet }, { "solid and sheet", solidAndSheet }, { "IGES faces", igesFaces },
+  { "sheet", sheet }, { "solid and sheet", solidAndSheet }, { "stray tube", strayTube },
+  { "partition", partition }, { "IGES faces", igesFaces }, { "touching faces", touchingFaces },
   { "IGES sphere", igesSphere } };
 
 }
