@@ -2,7 +2,6 @@
 #include "Repair/Arrangement.h"
 
 #include "Base/DisjointSets.h"
-#include "Repair/Snapping.h"
 #include "Repair/TriangleDivision.h"
 #include "Repair/TrianglePairs.h"
 #include "Repair/TrianglePlane.h"
@@ -62,12 +61,12 @@ struct Marks
 class Arranger
 {
 public:
-  Arranger(
-    Surface& surface, VertexIndex& index, std::vector<Made>& made, std::vector<std::uint32_t>& body)
+  Arranger(Surface& surface, const Placing& placing, VertexIndex& index, std::vector<Made>& made,
+    std::vector<std::uint32_t>& body)
     : surface_(surface)
     , made_(made)
     , body_(body)
-    , placing_(placingOf(surface))
+    , placing_(placing)
     , index_(index)
     , hasPoints_(surface.vertices.size())
   {
@@ -668,7 +667,7 @@ private:
   bool isFlat(std::uint32_t t) const
   {
     const Corners c = surface_.corners(t);
-    if (made_.empty() || made_[t] == Made::Given)
+    if (axisAcross(c) < 0 || made_.empty() || made_[t] == Made::Given)
     {
       return axisAcross(c) < 0;
     }
@@ -720,8 +719,8 @@ private:
     {
       return { c };
     }
-    TriangleDivision division(
-      surface_.vertices, c, std::max(0, axisAcross(surface_.corners(t))), placing_.reach);
+    TriangleDivision division(surface_.vertices, c, std::max(0, axisAcross(surface_.corners(t))),
+      { placing_.reach, placing_.keepsEdges });
     for (std::size_t i = 0; i < 3; ++i)
     {
       division.divideEdge(i, pointsOn(c[i], c[(i + 1) % 3]));
@@ -743,7 +742,7 @@ private:
   Surface& surface_;
   std::vector<Made>& made_;          // of triangles; empty: all are given
   std::vector<std::uint32_t>& body_; // of triangles: the connected part that they are from
-  Placing placing_;
+  const Placing& placing_;
   VertexIndex& index_;
   std::vector<std::uint32_t> shared_;
   std::map<Ends, PointsOnEdge> onEdge_;
@@ -823,14 +822,14 @@ bool isLarge(const Surface& surface, double distance)
 }
 
 // Folding divides others, which may be thin then: it goes on as long as it leaves fewer.
-void foldAll(Surface& surface, VertexIndex& index, std::vector<Made>& made,
+void foldAll(Surface& surface, const Placing& placing, VertexIndex& index, std::vector<Made>& made,
   std::vector<std::uint32_t>& body, bool withGiven)
 {
   std::size_t before = surface.triangles.size() + 1;
   for (std::size_t thin = before - 1; thin > 0 && thin < before;)
   {
     before = thin;
-    thin = Arranger(surface, index, made, body).fold(withGiven);
+    thin = Arranger(surface, placing, index, made, body).fold(withGiven);
     withGiven = false;
   }
 }
@@ -842,15 +841,26 @@ bool isFinelyPlaced(const Surface& surface)
   return isLarge(surface, placingOf(surface).snap);
 }
 
-bool canBeArranged(const Surface& surface)
+bool canBeArranged(const Surface& surface, const Placing& placing)
 {
-  return isLarge(surface, placingOf(surface).reach);
+  return isLarge(surface, placing.reach);
+}
+
+bool keepsVolume(const Surface& given, const Surface& arranged, const Placing& placing)
+{
+  const double moved =
+    std::max(placing.together, placing.reach) * given.lattice.step() * areaOf(given);
+  return std::abs(volumeOf(arranged) - volumeOf(given)) <= moved;
 }
 
 bool arrange(Surface& surface, Execution& execution)
 {
+  return arrange(surface, placingOf(surface), execution);
+}
+
+bool arrange(Surface& surface, const Placing& placing, Execution& execution)
+{
   const std::size_t most = PiecesByTriangle * surface.triangles.size() + FewPieces;
-  const Placing placing = placingOf(surface);
   VertexIndex index(surface.vertices, placing.reach);
   std::vector<Made> made;
   std::vector<std::uint32_t> body = bodiesOf(surface, execution);
@@ -864,18 +874,19 @@ bool arrange(Surface& surface, Execution& execution)
   {
     before = pairs.size();
     const std::array<std::size_t, 2> sizes{ surface.triangles.size(), surface.vertices.size() };
-    if (!Arranger(surface, index, made, body).cut(pairs, most))
+    if (!Arranger(surface, placing, index, made, body).cut(pairs, most))
     {
       return false;
     }
-    foldAll(surface, index, made, body, round == 0);
+    foldAll(surface, placing, index, made, body, round == 0);
     std::vector<std::uint8_t> isNew(made.size());
     for (std::size_t t = 0; t < made.size(); ++t)
     {
       isNew[t] = made[t] == Made::SinceSearch ? 1 : 0;
       made[t] = made[t] == Made::Given ? Made::Given : Made::Before;
     }
-    pairs = differing(surface, findPairs(surface, { body, placing.reach, isNew }, execution).pairs);
+    pairs = differing(
+      surface, findPairs(surface, { body, placing.piecesTogether, isNew }, execution).pairs);
     isStuck = pairs.size() == before &&
       sizes == std::array<std::size_t, 2>{ surface.triangles.size(), surface.vertices.size() };
   }

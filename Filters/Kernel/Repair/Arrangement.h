@@ -8,6 +8,7 @@
 // the same vertices on it: closed surfaces stay closed.
 #pragma once
 
+#include "Repair/Snapping.h"
 #include "Surface/Surface.h"
 
 namespace cartesian
@@ -19,13 +20,17 @@ namespace cartesian
 // in Surface::given) stay the last ones. Triangles without an area are left out. If snapping keeps bending faces,
 // some may still cross: Spaces detects this. False, with the work left unfinished, where the triangles fall into too many
 // pieces.
-bool arrange(Surface& surface, Execution& execution);
+bool arrange(Surface& surface, const Placing& placing, Execution& execution);
+bool arrange(Surface& surface, Execution& execution); // by placingOf()
+
+// Cut along each other, bodies keep their volumes, to within how far vertices are moved.
+bool keepsVolume(const Surface& given, const Surface& arranged, const Placing& placing);
 
 // Whether the surface is large compared with the thickness of sheets (Snapping.h): relative to its distance from the
 // origin in single precision, and on the lattice.
 bool isFinelyPlaced(const Surface& surface);
 
 // The same compared with what an arrangement moves.
-bool canBeArranged(const Surface& surface);
+bool canBeArranged(const Surface& surface, const Placing& placing);
 
 }

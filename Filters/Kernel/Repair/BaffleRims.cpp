@@ -389,7 +389,7 @@ private:
   {
     rebuild(surface_, [&](std::uint32_t t, std::vector<Triple>& parts) {
       const Triple& c = surface_.triangles[t];
-      TriangleDivision division(surface_.vertices, c, axisOf(surface_.corners(t)));
+      TriangleDivision division(surface_.vertices, c, axisOf(surface_.corners(t)), {});
       for (std::size_t i = 0; i < 3; ++i)
       {
         division.divideEdge(i, pointsOn(onEdge_, c[i], c[(i + 1) % 3]));
@@ -431,7 +431,7 @@ private:
         return;
       }
       TriangleDivision division(surface_.vertices, c,
-        axisOf({ surface_.vertices[c[0]], surface_.vertices[c[1]], surface_.vertices[c[2]] }));
+        axisOf({ surface_.vertices[c[0]], surface_.vertices[c[1]], surface_.vertices[c[2]] }), {});
       for (std::size_t i = 0; i < 3; ++i)
       {
         division.divideEdge(i, paths[i]);

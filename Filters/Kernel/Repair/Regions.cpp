@@ -121,6 +121,34 @@ std::vector<std::string> namesOfParts(
   return result;
 }
 
+// The walls of all regions, which are cut along each other; in other ways where some then still cross.
+Surface arrangedWalls(
+  Surface& all, const Bodies& bodies, std::vector<std::uint32_t>& crossing, Execution& execution)
+{
+  const Surface given = all;
+  arrange(all, execution);
+  Surface walls = wallsOf(all, bodies, crossing, execution);
+  bool isRight = crossing.empty();
+  const std::array<Placing, 4> others = otherPlacingsOf(given);
+  for (std::size_t i = 0; i < others.size() && !isRight; ++i)
+  {
+    Surface arranged = given;
+    if (!arrange(arranged, others[i], execution) || !keepsVolume(given, arranged, others[i]))
+    {
+      continue;
+    }
+    std::vector<std::uint32_t> stillCrossing;
+    Surface found = wallsOf(arranged, bodies, stillCrossing, execution);
+    if (stillCrossing.empty())
+    {
+      walls = std::move(found);
+      crossing.clear();
+      isRight = true;
+    }
+  }
+  return walls;
+}
+
 }
 
 std::optional<std::vector<ClosedContact>> separateRegions(
@@ -160,9 +188,8 @@ std::optional<std::vector<ClosedContact>> separateRegions(
     names = namesOfParts(regionsOfParts, names);
   }
   appendSheets(found, regions, all);
-  arrange(all, execution);
   std::vector<std::uint32_t> crossing;
-  Surface walls = wallsOf(all, { regions, regionsOfParts }, crossing, execution);
+  Surface walls = arrangedWalls(all, { regions, regionsOfParts }, crossing, execution);
   if (!crossing.empty())
   {
     throw Error(Fault::FlawedSurface,

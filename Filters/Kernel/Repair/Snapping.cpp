@@ -8,12 +8,34 @@
 namespace cartesian
 {
 
+namespace
+{
+
+// Of two faces and the lattice.
+constexpr double Roundings = 3;
+
+// Between neighbouring places of vertices.
+constexpr double OneStep = 2;
+
+}
+
 Placing placingOf(const Surface& surface)
 {
-  constexpr double roundings = 3;
   constexpr double snapped = 64;
-  const double together = roundings * surface.rounding;
-  return { together, std::max(snapped, together), std::max(snapped, 4 * together) };
+  const double together = Roundings * surface.rounding;
+  const double reach = std::max(snapped, together);
+  return { together, reach, reach, std::max(snapped, 4 * together) };
+}
+
+std::array<Placing, 4> otherPlacingsOf(const Surface& surface)
+{
+  constexpr double decimals = 20; // of a file: a hundred-millionth of the domain
+  const Placing given = placingOf(surface);
+  const auto placing = [&](double together, double reach) {
+    return Placing{ together, reach, 0, given.snap, true };
+  };
+  return { placing(Roundings, OneStep), placing(decimals, 1.5 * decimals),
+    placing(given.together, given.together), placing(Roundings, OneStep / 2) };
 }
 
 VertexIndex::VertexIndex(std::vector<Point>& vertices, double reach)

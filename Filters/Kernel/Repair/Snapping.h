@@ -5,6 +5,7 @@
 #include "Base/DisjointSets.h"
 #include "Surface/Surface.h"
 
+#include <array>
 #include <unordered_map>
 
 namespace cartesian
@@ -16,16 +17,27 @@ struct Placing
   // Faces within this distance are coplanar: the file rounds both, and so does the lattice.
   double together;
 
-  // A new vertex this close to another, or to an edge, is merged with it or lies on it; pieces of faces that are so
-  // moved are coplanar within this distance. Not more: bodies further apart than that are given so.
+  // A new vertex this close to another, or to an edge, is merged with it or lies on it. Not more: bodies further apart
+  // than that are given so.
   double reach;
+
+  // Pieces of faces are coplanar within this distance: snapping moves them.
+  double piecesTogether;
 
   // Edges that run along each other meet in places that differ by many roundings: a sheet of twice this thickness
   // has reliable sides.
   double snap;
+
+  // Whether better angles may not cost a triangle's edge its vertices: flips then make no slivers of three of them,
+  // which folding would have to remove again and again.
+  bool keepsEdges = false;
 };
 
 Placing placingOf(const Surface& surface);
+
+// Others to try in turn where triangles still cross in the end. Vertices keep more of their places, and pieces are only
+// coplanar where they are so exactly: slivers have no plane that would tell.
+std::array<Placing, 4> otherPlacingsOf(const Surface& surface);
 
 // Finds vertices by their places, and makes new ones.
 class VertexIndex

@@ -62,10 +62,10 @@ Wide squaredDistance(const PlanePoint& p, const PlanePoint& q)
 }
 
 TriangleDivision::TriangleDivision(
-  const std::vector<Point>& vertices, const Triple& triangle, int axis, double reach)
+  const std::vector<Point>& vertices, const Triple& triangle, int axis, const Spec& spec)
   : vertices_(vertices)
   , axis_(axis)
-  , reach_(reach)
+  , spec_(spec)
   , triangles_(1)
 {
   for (std::size_t i = 0; i < 3; ++i)
@@ -260,8 +260,8 @@ std::uint32_t TriangleDivision::pointBetween(std::uint32_t from, std::uint32_t t
   const double length = std::hypot(x, y);
   const Wide whole = squaredDistance(p, q);
   std::uint32_t first = None;
-  double least = length - reach_;
-  tree_->forEachNear(p, q, reach_, [&](std::uint32_t point) {
+  double least = length - spec_.reach;
+  tree_->forEachNear(p, q, spec_.reach, [&](std::uint32_t point) {
     const PlanePoint r = at_[point];
     if (squaredDistance(p, r) >= whole || squaredDistance(r, q) >= whole)
     {
@@ -271,8 +271,8 @@ std::uint32_t TriangleDivision::pointBetween(std::uint32_t from, std::uint32_t t
       (static_cast<double>(r.a - p.a) * x + static_cast<double>(r.b - p.b) * y) / length;
     const bool isSooner = along < least || (along == least && point < first && first != None);
     const Wide area = turn(p, q, r);
-    if (along > reach_ && isSooner &&
-      (area == 0 || std::abs(static_cast<double>(area)) < reach_ * length) &&
+    if (along > spec_.reach && isSooner &&
+      (area == 0 || std::abs(static_cast<double>(area)) < spec_.reach * length) &&
       numberOf_.at(points_[point]) == point)
     {
       first = point;
@@ -438,6 +438,12 @@ bool TriangleDivision::isBetterFlipped(std::uint32_t from, std::uint32_t to) con
     turnOf(s, to, r) <= 0)
   {
     return false;
+  }
+  const bool isSliver = areOnOneEdge(from, to, r) || areOnOneEdge(from, to, s);
+  const bool makesSliver = areOnOneEdge(r, s, from) || areOnOneEdge(r, s, to);
+  if (spec_.keepsEdges && isSliver != makesSliver)
+  {
+    return isSliver;
   }
   const int in = way_ * inCircle(at_[from], at_[to], at_[r], at_[s]);
   const auto lower = [&](std::uint32_t p, std::uint32_t q) {

@@ -23,10 +23,16 @@ class TriangleDivision
 public:
   using Triple = std::array<std::uint32_t, 3>;
 
-  // `vertices`: all places, by number; `axis`: along which they are seen, so that the triangle has an area;
-  // `reach`: edges run through points that are nearer to them, in levels.
+  struct Spec
+  {
+    double reach = 0; // edges run through points that are nearer to them, in levels
+    bool keepsEdges =
+      false; // no triangle of three points of one edge is made for the sake of angles
+  };
+
+  // `vertices`: all places, by number; `axis`: along which they are seen, so that the triangle has an area.
   TriangleDivision(
-    const std::vector<Point>& vertices, const Triple& triangle, int axis, double reach = 0);
+    const std::vector<Point>& vertices, const Triple& triangle, int axis, const Spec& spec);
 
   // Puts vertices on the edge that starts at the i-th corner, in their order from there. Before all else.
   void divideEdge(std::size_t i, const std::vector<std::uint32_t>& vertices);
@@ -70,6 +76,10 @@ private:
   {
     return (edgesOf_[p] & edgesOf_[q]) != 0;
   }
+  bool areOnOneEdge(std::uint32_t p, std::uint32_t q, std::uint32_t r) const
+  {
+    return (edgesOf_[p] & edgesOf_[q] & edgesOf_[r]) != 0;
+  }
   std::uint32_t pointBetween(std::uint32_t from, std::uint32_t to) const;
   bool addPiece(std::uint32_t from, std::uint32_t to);
   Edge firstAcross(std::uint32_t at, std::uint32_t from, std::uint32_t to) const;
@@ -83,7 +93,7 @@ private:
 
   const std::vector<Point>& vertices_;
   int axis_;
-  double reach_;
+  Spec spec_;
   int way_ = 1;                        // 1 if the triangle is counter-clockwise as it is seen
   std::vector<std::uint32_t> points_;  // vertices; what follows has numbers of points
   std::vector<PlanePoint> at_;         // where they are seen

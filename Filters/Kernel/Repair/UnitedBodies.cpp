@@ -146,20 +146,19 @@ struct Trial
   bool isGivenUp = false;         // another attempt would take as long
 };
 
-Trial tryToUnite(Surface& surface, const Bodies& bodies, Execution& execution)
+Trial tryToUnite(
+  Surface& surface, const Placing& placing, const Bodies& bodies, Execution& execution)
 {
-  if (!canBeArranged(surface))
+  if (!canBeArranged(surface, placing))
   {
     return {};
   }
   Surface arranged = surface;
-  if (!arrange(arranged, execution))
+  if (!arrange(arranged, placing, execution))
   {
     return { false, middleOf(surface, 0), true };
   }
-  // Cut along each other, bodies keep their volumes, to within how far vertices are moved.
-  const double moved = placingOf(surface).reach * surface.lattice.step() * areaOf(surface);
-  if (std::abs(volumeOf(arranged) - volumeOf(surface)) > moved)
+  if (!keepsVolume(surface, arranged, placing))
   {
     return { false, middleOf(surface, 0), false };
   }
@@ -171,6 +170,26 @@ Trial tryToUnite(Surface& surface, const Bodies& bodies, Execution& execution)
     return { true, std::nullopt, false };
   }
   return crossing.empty() ? Trial{} : Trial{ false, middleOf(arranged, crossing[0]), false };
+}
+
+// Tries in other ways what was refused, until one succeeds.
+void tryOnceMore(Surface& surface, const Bodies& bodies, Trial& trial, Execution& execution)
+{
+  const std::array<Placing, 4> others = otherPlacingsOf(surface);
+  if (surface.rounding > 1)
+  {
+    // By the precision of the lattice: nearly coplanar faces are then taken as they are given.
+    surface.rounding = 1;
+    trial = tryToUnite(surface, placingOf(surface), bodies, execution);
+  }
+  for (std::size_t i = 0; i < others.size() && trial.crossing && !trial.isGivenUp; ++i)
+  {
+    const Trial next = tryToUnite(surface, others[i], bodies, execution);
+    if (next.isUnited || next.isGivenUp)
+    {
+      trial = next;
+    }
+  }
 }
 
 class GroupUniter
@@ -205,12 +224,11 @@ public:
     {
       Surface part = partOf(flat_, triangles);
       const Bodies bodies{ FirstRegion, {}, meshed, around(root) };
-      Trial trial = whole && groups.size() == 1 ? *whole : tryToUnite(part, bodies, execution);
-      if (!trial.isUnited && !trial.isGivenUp && part.rounding > 1)
+      Trial trial =
+        whole && groups.size() == 1 ? *whole : tryToUnite(part, placingOf(part), bodies, execution);
+      if (!trial.isUnited && !trial.isGivenUp)
       {
-        // By the precision of the lattice: nearly coplanar faces are then taken as they are given.
-        part.rounding = 1;
-        trial = tryToUnite(part, bodies, execution);
+        tryOnceMore(part, bodies, trial, execution);
       }
       if (trial.crossing)
       {
@@ -325,7 +343,7 @@ UnitedBodies uniteBodies(Surface& surface, const std::vector<DroppedTriangle>& s
   if (before->byParity.empty())
   {
     surface = flat;
-    whole = tryToUnite(surface, { FirstRegion, {}, meshed }, execution);
+    whole = tryToUnite(surface, placingOf(surface), { FirstRegion, {}, meshed }, execution);
     if (whole->isUnited)
     {
       return { before, {} };
