@@ -121,14 +121,15 @@ std::vector<std::string> namesOfParts(
   return result;
 }
 
-// The walls of all regions, which are cut along each other; in other ways where some then still cross.
+// The walls of all regions, which are cut along each other; in other ways where some then still cross, or where that
+// costs volume and others do not.
 Surface arrangedWalls(
   Surface& all, const Bodies& bodies, std::vector<std::uint32_t>& crossing, Execution& execution)
 {
   const Surface given = all;
-  arrange(all, execution);
+  const bool isArranged = arrange(all, execution);
   Surface walls = wallsOf(all, bodies, crossing, execution);
-  bool isRight = crossing.empty();
+  bool isRight = crossing.empty() && (!isArranged || keepsVolume(given, all, placingOf(given)));
   const std::array<Placing, 4> others = otherPlacingsOf(given);
   for (std::size_t i = 0; i < others.size() && !isRight; ++i)
   {
