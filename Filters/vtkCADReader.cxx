@@ -117,7 +117,7 @@ std::vector<std::string> vtkCADReader::Arguments() const
   return { this->FileName, Word(unit), Word(this->Deflection), Word(this->Angle),
     std::to_string(this->BoundaryNamesFrom), Word(this->HealTolerance),
     std::to_string(this->GlueSolids), std::to_string(this->MergeCoplanar),
-    std::to_string(this->NameEncoding) };
+    std::to_string(this->NameEncoding), std::to_string(this->KeepDamagedFaces) };
 }
 
 int vtkCADReader::RequestData(
@@ -200,6 +200,7 @@ void vtkCADReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HealTolerance: " << this->HealTolerance << "\n";
   os << indent << "GlueSolids: " << this->GlueSolids << "\n";
   os << indent << "MergeCoplanar: " << this->MergeCoplanar << "\n";
+  os << indent << "KeepDamagedFaces: " << this->KeepDamagedFaces << "\n";
   os << indent << "NameEncoding: " << this->NameEncoding << "\n";
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
 }

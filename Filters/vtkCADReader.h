@@ -117,6 +117,13 @@ public:
   vtkSetMacro(MergeCoplanar, bool);
   vtkGetMacro(MergeCoplanar, bool);
 
+  /**
+   * Whether a solid stays of whose faces one cannot be triangulated, with the hole that this leaves and a warning; default false:
+   * it is an error.
+   */
+  vtkSetMacro(KeepDamagedFaces, bool);
+  vtkGetMacro(KeepDamagedFaces, bool);
+
   enum Encodings
   {
     Guessed, ///< UTF-8; of a file that is not, what is frequent in a language tells
@@ -180,6 +187,7 @@ private:
   double HealTolerance = 0;
   bool GlueSolids = true;
   bool MergeCoplanar = false;
+  bool KeepDamagedFaces = false;
   int NameEncoding = Guessed;
   double TimeLimit = 1800;
   vtkNew<vtkStringArray> FoundSolids;

@@ -41,6 +41,7 @@ struct CadOptions
   double healTolerance = 0; // in that unit: gaps up to this are closed; 0: those of IGES files only
   bool gluesSolids = false; // faces in which solids touch become one
   bool mergesCoplanar = false;
+  bool keepsDamaged = false; // solids whose triangles do not close
   CadEncoding encoding = CadEncoding::Automatic;
 };
 

@@ -5,6 +5,7 @@
 #include "CadGaps.h"
 #include "CadMeasures.h"
 #include "CadProgress.h"
+#include "CadSplines.h"
 #include "CadWeld.h"
 
 #include <BRepBndLib.hxx>
@@ -93,10 +94,11 @@ double determinant(const gp_XYZ& a, const gp_XYZ& b, const gp_XYZ& c)
 class Triangulation
 {
 public:
-  Triangulation(
-    CadWeld& weld, const CadPart& part, const std::vector<std::int32_t>& boundary, double unit)
+  Triangulation(CadWeld& weld, const CadPart& part, const TopoDS_Shape& exact,
+    const std::vector<std::int32_t>& boundary, double unit)
     : weld_(weld)
     , part_(part)
+    , exact_(exact)
     , unit_(unit)
   {
     solid_.name = part.name;
@@ -111,7 +113,8 @@ public:
   }
 
   CadSolid& solid() { return solid_; }
-  int lacking() const { return lacking_; }
+  // Faces without triangles, by their numbers in the part.
+  const std::vector<int>& lacking() const { return lacking_; }
 
 private:
   std::int64_t local(std::int64_t node)
@@ -133,16 +136,19 @@ private:
     const TopTools_IndexedMapOfShape faces = facesOf(part_.shape);
     for (int i = 1; i <= faces.Extent(); ++i)
     {
-      addFace(TopoDS::Face(faces(i)), boundary[static_cast<std::size_t>(i - 1)]);
+      if (!addFace(TopoDS::Face(faces(i)), boundary[static_cast<std::size_t>(i - 1)]))
+      {
+        lacking_.push_back(i);
+      }
     }
   }
 
-  void addFace(const TopoDS_Face& face, std::int32_t boundary)
+  // False if it has no triangles.
+  bool addFace(const TopoDS_Face& face, std::int32_t boundary)
   {
     TopLoc_Location place;
     const Handle(Poly_Triangulation) triangles = BRep_Tool::Triangulation(face, place);
     const std::vector<std::int64_t> nodes = weld_.nodesOf(face);
-    lacking_ += nodes.empty() || triangles->NbTriangles() == 0;
     const bool isTurned =
       (face.Orientation() == TopAbs_REVERSED) != place.Transformation().IsNegative();
     for (int t = 1; !nodes.empty() && t <= triangles->NbTriangles(); ++t)
@@ -168,6 +174,7 @@ private:
       }
       solid_.boundary.push_back(boundary);
     }
+    return !nodes.empty() && triangles->NbTriangles() > 0;
   }
 
   void addLines(const std::vector<std::int32_t>& boundary)
@@ -244,12 +251,12 @@ private:
       measureTriangles();
       return;
     }
-    solid_.area = areaOf(part_.shape) / (unit_ * unit_);
+    solid_.area = areaOf(exact_) / (unit_ * unit_);
     if (part_.shape.ShapeType() != TopAbs_SOLID)
     {
       return;
     }
-    const CadVolume exact = volumeOf(part_.shape);
+    const CadVolume exact = volumeOf(exact_);
     solid_.volume = exact.isCertain ? std::abs(exact.value) / (unit_ * unit_ * unit_) : 0;
     if (exact.value < 0)
     {
@@ -291,17 +298,20 @@ private:
 
   CadWeld& weld_;
   const CadPart& part_;
+  const TopoDS_Shape& exact_; // to measure: the same, before its surfaces became B-splines
   double unit_;
   CadSolid solid_;
   std::unordered_map<std::int64_t, std::int64_t> numbers_; // of points, in this solid
-  int lacking_ = 0;                                        // faces without triangles
+  std::vector<int> lacking_;
 };
 
 // Triangles of all parts.
 struct Attempt
 {
   std::vector<CadSolid> solids;
-  double deflection = 0; // in the unit of the result
+  std::vector<std::vector<int>> lacking; // faces of each part that have no triangles
+  std::vector<bool> isFlawed;            // of each part
+  double deflection = 0;                 // in the unit of the result
   // Faces without triangles, edges that are open though those of the shapes are not, wrong volumes.
   int flaws = 0;
 };
@@ -314,21 +324,52 @@ bool enclosesAll(const CadSolid& solid, double deflection)
 }
 
 // `deflection`: in the unit of the result.
-Attempt weldAll(const std::vector<CadPart>& parts, const CadBoundaries& boundaries,
-  const CadOptions& options, double deflection)
+Attempt weldAll(const std::vector<CadPart>& parts, const std::vector<CadPart>& exact,
+  const CadBoundaries& boundaries, const CadOptions& options, double deflection)
 {
   Attempt attempt;
   attempt.deflection = deflection;
   CadWeld weld;
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
-    Triangulation triangulation(weld, parts[p], boundaries.ofFace[p], options.unit);
+    Triangulation triangulation(weld, parts[p], exact[p].shape, boundaries.ofFace[p], options.unit);
     const bool isClosed = freeEdges(parts[p].shape).IsEmpty();
-    attempt.flaws += triangulation.lacking() + (isClosed ? triangulation.solid().openEdges : 0) +
+    const int flaws = static_cast<int>(triangulation.lacking().size()) +
+      (isClosed ? triangulation.solid().openEdges : 0) +
       (isClosed && !enclosesAll(triangulation.solid(), deflection));
+    attempt.flaws += flaws;
+    attempt.isFlawed.push_back(flaws > 0);
+    attempt.lacking.push_back(triangulation.lacking());
     attempt.solids.push_back(std::move(triangulation.solid()));
   }
   return attempt;
+}
+
+// Where faces have no triangles, and the surface is open because of them.
+void refuseDamaged(
+  const std::vector<CadPart>& parts, const Attempt& attempt, const CadOptions& options)
+{
+  for (std::size_t p = 0; p < parts.size() && !options.keepsDamaged; ++p)
+  {
+    const CadSolid& solid = attempt.solids[p];
+    const bool isWhole = !freeEdges(parts[p].shape).IsEmpty() || solid.openEdges == 0;
+    if (isWhole)
+    {
+      continue;
+    }
+    const std::string what =
+      " of " + solid.name + " (" + std::to_string(parts[p].faces.size()) + " faces) ";
+    const std::string where = attempt.lacking[p].empty()
+      ? "has faces" + what + "whose triangles do not meet, at " +
+        placeOf(parts[p].shape, options.unit)
+      : "has a face of which no triangles can be made: number " +
+        std::to_string(attempt.lacking[p].front()) + what + "at " +
+        placeOf(facesOf(parts[p].shape)(attempt.lacking[p].front()), options.unit);
+    throw CadError(where + ". " + std::to_string(solid.openEdges) +
+      " edges stay open there. Export the part again, or in another format; or switch on Keep "
+      "Damaged Faces to "
+      "take it as it is.");
+  }
 }
 
 std::string adviceFor(const CadPart& open, const CadOptions& options)
@@ -360,7 +401,7 @@ void tell(const CadPart& part, const CadSolid& solid, double deflection, const C
   {
     report.warning(where +
       " is closed, but its triangles are not: " + std::to_string(solid.openEdges) +
-      " of their edges are open. Choose a smaller Deflection, or export the part again.");
+      " of their edges are open: faces are damaged. Export the part again, or in another format.");
   }
   if (free == 0 && solid.volume == 0)
   {
@@ -381,7 +422,7 @@ void tell(const CadPart& part, const CadSolid& solid, double deflection, const C
 std::vector<CadSolid> trianglesOf(const std::vector<CadPart>& parts,
   const CadBoundaries& boundaries, const CadOptions& options, const CadReport& report)
 {
-  Attempt attempt = weldAll(parts, boundaries, options, 0);
+  Attempt attempt = weldAll(parts, parts, boundaries, options, 0);
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
     const CadSolid& solid = attempt.solids[p];
@@ -417,26 +458,36 @@ int gapsOf(const CadPart& part, double deflection, const CadOptions& options)
 std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,
   const CadBoundaries& boundaries, const CadOptions& options, const CadReport& report)
 {
-  const TopoDS_Compound all = together(parts);
   // In the unit of the result: given back as an option, it makes the same triangles, bit for bit.
   const double asked = deflectionOf(parts, options);
   if (!(asked > 0))
   {
     throw CadError("holds shapes without extent only. Export the part again.");
   }
-  double deflection = asked * options.unit;
   Attempt best;
-  for (int i = 0; i < MostTries && (i == 0 || best.flaws > 0); ++i, deflection /= 2)
-  {
+  const auto attempt = [&](const std::vector<CadPart>& shapes, double deflection) {
+    const TopoDS_Compound all = together(shapes);
     BRepTools::Clean(all); // of triangles that came with the file, or were made before
     const Handle(CadProgress) progress = new CadProgress(report, 0.7, 0.95);
-    mesh(all, deflection, options.angle, progress->Start());
-    Attempt attempt = weldAll(parts, boundaries, options, deflection / options.unit);
-    if (i == 0 || attempt.flaws < best.flaws)
+    mesh(all, deflection * options.unit, options.angle, progress->Start());
+    Attempt made = weldAll(shapes, parts, boundaries, options, deflection);
+    if (best.solids.empty() || made.flaws < best.flaws)
     {
-      best = std::move(attempt);
+      best = std::move(made);
+    }
+  };
+  for (int i = 0; i < MostTries && (i == 0 || best.flaws > 0); ++i)
+  {
+    attempt(parts, std::ldexp(asked, -i));
+  }
+  if (best.flaws > 0)
+  {
+    if (const std::vector<CadPart> splines = asSplines(parts, best.isFlawed); !splines.empty())
+    {
+      attempt(splines, asked);
     }
   }
+  refuseDamaged(parts, best, options);
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
     tell(parts[p], best.solids[p], best.deflection, options, report);

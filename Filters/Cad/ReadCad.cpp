@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read-cad FILE UNIT DEFLECTION ANGLE NAMES HEAL GLUE MERGE ENCODING: reads a CAD file for vtkCADReader, and writes records (Stream.h)
+// read-cad FILE UNIT DEFLECTION ANGLE NAMES HEAL GLUE MERGE ENCODING KEEP: reads a CAD file for vtkCADReader, and writes records (Stream.h)
 // to its standard output. A process of its own, as Open CASCADE crashes on some damaged files and takes for ever with
 // others.
 #include "CadFile.h"
@@ -91,6 +91,7 @@ CadOptions optionsFrom(char** words)
   options.gluesSolids = std::atoi(words[5]) != 0;
   options.mergesCoplanar = std::atoi(words[6]) != 0;
   options.encoding = static_cast<CadEncoding>(std::atoi(words[7]));
+  options.keepsDamaged = std::atoi(words[8]) != 0;
   return options;
 }
 
@@ -150,7 +151,7 @@ void read(const std::string& path, const CadOptions& options, Output& output)
 
 int main(int count, char** words)
 {
-  if (count != 10)
+  if (count != 11)
   {
     std::fputs("read-cad is started by the CAD Reader of CartesianMesher.\n", stderr);
     return EXIT_FAILURE;

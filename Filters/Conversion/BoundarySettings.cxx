@@ -233,7 +233,7 @@ std::set<std::int32_t> baffleBoundaries(
   const BoundarySettings& settings, const BoundaryNames& names)
 {
   std::set<std::int32_t> found;
-  for (const auto& [boundary, row] : rowsOfBoundaries(settings.names, names))
+  for (const auto& [boundary, row] : rowsOfBoundaries(settings.names, names, NoEnds))
   {
     if (row < settings.types.size() && settings.types[row] == BaffleType)
     {

@@ -72,7 +72,7 @@ def boundaries(name):
 lines = template().partition("# [cad]\n")[2].splitlines()
 commented = tomllib.loads("\n".join(line[2:] for line in lines if re.match(r"# \w+ = ", line)))
 assert commented == {parameter.key: parameter.default for parameter in cad_parameters()}, commented
-assert set(commented) == {"angle", "boundary_names_from", "deflection", "glue_solids", "heal_tolerance", "length_unit",
+assert set(commented) == {"angle", "boundary_names_from", "deflection", "glue_solids", "heal_tolerance", "keep_damaged_faces", "length_unit",
     "merge_coplanar", "name_encoding", "scale", "time_limit"}
 
 # Deflection is a hundredth of the cell size, unless there is another one, or no cell size.

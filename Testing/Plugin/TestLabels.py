@@ -55,7 +55,7 @@ expected = {
              | pieces | regions | domain | layers | preview),
     cad: ("CAD Reader", [], {"FileName": "", "Deflection": 0.0, "Angle": 10.0, "LengthUnit": "Metre", "Scale": 1.0,
         "BoundaryNamesFrom": "Automatic", "HealTolerance": 0.0, "GlueSolids": 1, "MergeCoplanar": 0,
-        "NameEncoding": "Automatic", "TimeLimit": 1800.0}),
+        "KeepDamagedFaces": 0, "NameEncoding": "Automatic", "TimeLimit": 1800.0}),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
     split: ("Split Surface", ["Input", "Selection"], boundaries | threads | {"SplitBy": "Flat Caps", "FeatureAngle": 30.0,
         "CapNames": "cap", "BoundaryNames": [], "BoundaryMergedNames": [], "SelectionName": "selected",
