@@ -451,8 +451,8 @@ int gapsOf(const CadPart& part, double deflection, const CadOptions& options)
   mesh(copy.shape, deflection * options.unit, options.angle, Message_ProgressRange());
   CadWeld weld;
   Triangulation triangulation(
-    weld, copy, std::vector<std::int32_t>(copy.faces.size()), options.unit);
-  return triangulation.lacking() + triangulation.solid().openEdges;
+    weld, copy, copy.shape, std::vector<std::int32_t>(copy.faces.size()), options.unit);
+  return static_cast<int>(triangulation.lacking().size()) + triangulation.solid().openEdges;
 }
 
 std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,
