@@ -413,7 +413,11 @@ cartesian::SolverSetup vtkPolyMeshWriter::MakeSetup()
     ? ofMesh("FlowViscosity", this->Scale * this->Scale, setup.viscosity)
     : this->Viscosity;
   setup.temperature = this->InletTemperature;
-  setup.iterations = this->Iterations;
+  if (this->Iterations != 0)
+  {
+    setup.iterations = this->Iterations;
+    setup.heatIterations = this->Iterations;
+  }
   setup.overwrites = this->OverwriteSetup;
   return setup;
 }

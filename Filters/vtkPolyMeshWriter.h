@@ -157,7 +157,7 @@ public:
    * Options of that set-up: 0, the default, for kOmegaSST, 1 for laminar flow; the speed at inlets (m/s) and
    * the kinematic viscosity (m2/s), where 0, the default, means those that the mesh's layers were made for (Target Y
    * Plus), else 10 and 1.5e-5; the inlet temperature (K, default 350);
-   * the number of solver iterations (default 500); and whether existing files are overwritten or kept (default:
+   * the number of solver iterations, of heat the most; 0, the default, means 500 of the flow and up to 20000 of heat; and whether existing files are overwritten or kept (default:
    * kept).
    */
   vtkSetClampMacro(Turbulence, int, 0, 1);
@@ -201,7 +201,7 @@ protected:
   double Speed = 0;
   double Viscosity = 0;
   double InletTemperature = 350;
-  int Iterations = 500;
+  int Iterations = 0;
   bool OverwriteSetup = false;
 
 private:

@@ -124,6 +124,46 @@ for pieces, flow in (1, {}), (2, {"Turbulence": "Laminar", "Viscosity": 0.01}):
     assert len(ranges) == 200 and hottest < 600.1, ranges[-2:]
     assert 293 < least < most < hottest and coldest > least - 1, ranges[-2:]
 
+# A second solid, warmed by the first alone, takes long to reach its temperature: heat is iterated until it is in balance,
+# and what is not in balance after all iterations is told.
+three = simple.GroupDatasets(BlockNames=["gas", "solid", "solid_2"], Input=[
+    box([0, 0, 0], [3, 1, 1], ("inlet", "outlet")), box([0, 1, 0], [3, 2, 1], ("end_1", "end_2")),
+    box([0, 2, 0], [3, 3, 1], ("end_3", "end_4"))])
+regions = simple.CartesianMesher(Input=three, RegionsFrom="Blocks", BoundaryArray="Wall", CellSize=0.25)
+
+
+def heat(case):
+    """By the heat's table, after the last iteration: that, and {region: {patch: heat into the region}}."""
+    rows = [line.split() for line in (case / "postProcessing/heat.dat").read_text().splitlines()]
+    table = {}
+    for iteration, region, patch, watts in rows:
+        if iteration == rows[-1][0]:
+            table.setdefault(region, {})[patch] = float(watts)
+    return int(rows[-1][0]), table
+
+
+flow = {"SolverSetup": "Conjugate Heat", "Scale": 0.01, "InletTemperature": 600}
+case = foam.save(regions, root / "short", Iterations=250, **flow)
+said = foam.run(case, "./Allrun")
+assert heat(case)[0] == 200 and "NOT CONVERGED: after 200 iterations" in said, said
+into = {patch: watts for patches in heat(case)[1].values() for patch, watts in patches.items()}
+assert f"solid_to_solid_2: {-into['solid_to_solid_2']:.6g} W leave solid, {into['solid_2_to_solid']:.6g} W enter solid_2" in said, said
+
+case = foam.save(regions, root / "balanced", **flow)
+for _ in range(2):  # a second run begins anew
+    said = foam.run(case, "./Allrun")
+    last, table = heat(case)
+    assert f"heat in and out of each solid agree to 0.001 after {last} iterations" in said and 200 < last < 20000, said
+    assert sorted(path.name for path in case.glob("[0-9]*")) == ["0", str(last)]
+for name in "solid", "solid_2":
+    passes = sum(map(abs, table[name].values())) / 2
+    assert abs(sum(table[name].values())) < 1e-3 * passes, table
+    assert abs(table["solid"]["solid_to_solid_2"] + table["solid_2"]["solid_2_to_solid"]) < 1e-3 * passes, table
+# What the gas loses leaves through the outer walls of both solids.
+lost = -table["gas"]["gas_to_solid"]
+given = -sum(watts for name in ("solid", "solid_2") for patch, watts in table[name].items() if "_to_" not in patch)
+assert lost > 1 and abs(lost - given) < 3e-3 * lost, table
+
 # What cannot run is refused before anything is written; what is there stays.
 closed = simple.CartesianMesher(Input=simple.Triangulate(Input=simple.Box()), CellSize=0.5)
 

@@ -243,7 +243,7 @@ void writeFlowCase(const SolverSetup& setup, const MeshOfCase& mesh,
       ";\n");
   files.dictionary("constant/turbulenceProperties", turbulenceProperties(setup));
   files.dictionary("system/controlDict",
-    controlOf("simpleFoam", setup,
+    controlOf({ "simpleFoam", setup.iterations, setup.iterations },
       (around ? forcesOn(namesOf(mesh, PatchRole::Wall, around), setup, *around) : endsOf(mesh)) +
         (setup.turbulence == Turbulence::Laminar ? "" : wallDistance())));
   files.dictionary("system/fvSchemes", schemesOf({ Gradients, Divergences, Correction }));

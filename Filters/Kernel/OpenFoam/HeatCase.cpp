@@ -3,11 +3,11 @@
 
 #include "Base/Error.h"
 #include "OpenFoam/FlowCase.h"
+#include "OpenFoam/HeatBalance.h"
 #include "OpenFoam/LeastSystem.h"
 #include "OpenFoam/RunFiles.h"
 #include "OpenFoam/Schemes.h"
 
-#include <utility>
 #include <vector>
 
 namespace cartesian
@@ -189,27 +189,13 @@ constexpr const char* TurbulenceOfRegion =
   R"foam(  cp "$flow/k" "$flow/omega" "$flow/nut" "$start"
   convert nut @diffusivity '[1 -1 -1 0 0 0 0]' alphat)foam";
 
-// With each of these names replaced by its value, in order.
-std::string filledIn(
-  std::string text, const std::vector<std::pair<std::string, std::string>>& values)
-{
-  for (const auto& [name, value] : values)
-  {
-    for (std::size_t at = text.find(name); at != std::string::npos;
-         at = text.find(name, at + value.size()))
-    {
-      text.replace(at, name.size(), value);
-    }
-  }
-  return text;
-}
-
-std::string flowCommands(const SolverSetup& setup, const std::string& region, int pieces)
+std::string flowCommands(
+  const SolverSetup& setup, const std::string& region, const std::string& places)
 {
   return filledIn(FlowOfRegion,
     { { "@turbulence", setup.turbulence == Turbulence::Laminar ? "" : TurbulenceOfRegion },
       { "@diffusivity", number(AirDensity / TurbulentPrandtl) }, { "@density", number(AirDensity) },
-      { "@places", pieces > 1 ? "processor*" : "." }, { "@last", std::to_string(setup.iterations) },
+      { "@places", places }, { "@last", std::to_string(setup.iterations) },
       { "@region", region } });
 }
 
@@ -218,6 +204,7 @@ std::string flowCommands(const SolverSetup& setup, const std::string& region, in
 void writeHeatCase(
   const SolverSetup& setup, const std::vector<MeshOfCase>& meshes, int pieces, CaseFiles& files)
 {
+  const std::string places = pieces > 1 ? "processor*" : ".";
   std::string commands = Conversion;
   for (const MeshOfCase& mesh : meshes)
   {
@@ -242,14 +229,16 @@ void writeHeatCase(
         flow.dictionary("system/decomposeParDict", decompositionOf(pieces));
       }
       files.keep(flow.kept());
-      commands += flowCommands(setup, mesh.region, pieces);
+      commands += flowCommands(setup, mesh.region, places);
     }
   }
   // Of constant density, air does not rise: without gravity no pressure hides how it flows.
   files.dictionary("constant/g", "dimensions      [0 1 -2 0 0 0 0];\nvalue           (0 0 0);\n",
     "uniformDimensionedVectorField");
-  files.dictionary("system/controlDict", controlOf("chtMultiRegionSimpleFoam", setup, ""));
-  files.script("Allrun", scriptOf(commands + "\nrun chtMultiRegionSimpleFoam\n", pieces));
+  files.dictionary("system/controlDict",
+    controlOf({ "chtMultiRegionSimpleFoam", setup.heatIterations, heatInterval(setup), true },
+      heatFunctions(setup, meshes)));
+  files.script("Allrun", scriptOf(commands + heatCommands(setup, meshes, places), pieces));
 }
 
 }

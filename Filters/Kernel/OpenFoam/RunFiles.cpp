@@ -4,14 +4,13 @@
 namespace cartesian
 {
 
-std::string controlOf(
-  const std::string& application, const SolverSetup& setup, const std::string& functions)
+std::string controlOf(const SolverRun& run, const std::string& functions)
 {
-  const std::string last = std::to_string(setup.iterations);
-  return "application     " + application +
-    ";\nstartFrom       startTime;\nstartTime       0;\nstopAt          endTime;\nendTime        "
-    " " +
-    last + ";\ndeltaT          1;\nwriteControl    timeStep;\nwriteInterval   " + last +
+  return "application     " + run.application + ";\nstartFrom       " +
+    (run.isPart ? "latestTime" : "startTime") + ";\nstartTime       0;\nstopAt          " +
+    (run.isPart ? "nextWrite" : "endTime") + ";\nendTime         " + std::to_string(run.last) +
+    ";\ndeltaT          1;\nwriteControl    timeStep;\nwriteInterval   " +
+    std::to_string(run.interval) +
     ";\npurgeWrite      2;\nwriteFormat     ascii;\nwritePrecision  12;\n"
     "runTimeModifiable true;\n\nfunctions\n{\n" +
     functions + "}\n";
@@ -28,11 +27,16 @@ export WM_PROJECT_DIR="${WM_PROJECT_DIR:-/usr/share/openfoam}" # where Debian ha
 start()
 {
   )foam" +
-    (pieces > 1 ? parallel : "\"$@\"") + R"foam( > "log.$1" 2>&1
+    (pieces > 1 ? parallel : "\"$@\"") + R"foam( >> "log.$1" 2>&1
 }
 run()
 {
   echo "$1"
+  : > "log.$1"
+  more "$@"
+}
+more()
+{
   start "$@" && return
   if grep -q 'IOstream "sha1"' "log.$1"; then
     echo "$1 without function objects, of which the OpenFOAM of Debian 13 dies"
@@ -43,6 +47,20 @@ run()
 }
 )foam" +
     commands;
+}
+
+std::string filledIn(
+  std::string text, const std::vector<std::pair<std::string, std::string>>& values)
+{
+  for (const auto& [name, value] : values)
+  {
+    for (std::size_t at = text.find(name); at != std::string::npos;
+         at = text.find(name, at + value.size()))
+    {
+      text.replace(at, name.size(), value);
+    }
+  }
+  return text;
 }
 
 }

@@ -98,6 +98,7 @@ void requireInRange(const SolverSetup& setup)
   requireInRange(SolverSetup::Viscosities, setup.viscosity, "Viscosity");
   requireInRange(SolverSetup::Temperatures, setup.temperature, "Inlet Temperature");
   requireInRange(SolverSetup::AllIterations, setup.iterations, "Iterations");
+  requireInRange(SolverSetup::AllIterations, setup.heatIterations, "Iterations");
 }
 
 void requireSuitable(const SolverSetup& setup, const std::vector<MeshOfCase>& meshes,

@@ -39,11 +39,12 @@ struct SolverSetup
 
   Solver solver = Solver::None;
   Turbulence turbulence = Turbulence::KOmegaSST;
-  double speed = 10;         // at inlets, m/s
-  double viscosity = 1.5e-5; // kinematic, m2/s
-  double temperature = 350;  // of what flows in, K
-  int iterations = 500;
-  bool overwrites = false; // files that are there
+  double speed = 10;          // at inlets, m/s
+  double viscosity = 1.5e-5;  // kinematic, m2/s
+  double temperature = 350;   // of what flows in, K
+  int iterations = 500;       // of the flow
+  int heatIterations = 20000; // at most (HeatBalance.h)
+  bool overwrites = false;    // files that are there
 };
 
 // A mesh of the case as it was written.

@@ -198,6 +198,30 @@ TEST_F(SolverCase, WhatCannotRunIsRefused)
   expectRefusal("is an inlet");
 }
 
+// Each interface is looked at once, and solids whose heat passes through walls alone.
+TEST_F(SolverCase, HeatEndsInBalance)
+{
+  setup.solver = Solver::ConjugateHeat;
+  setup.heatIterations = 250;
+  duct.front().region = "gas";
+  duct.front().patches.push_back({ "gas_to_a", 1, "mappedWall", { "a", "a_to_gas" } });
+  duct.push_back({ "a", false,
+    { patch("outside", "wall"), { "a_to_gas", 1, "mappedWall", { "gas", "gas_to_a" } } } });
+  duct.push_back({ "b", false, { patch("open", "patch") } });
+  writeSolverCase(folder, setup, duct, {}, 1);
+  const std::string control = read("system/controlDict");
+  for (const char* entry : { "stopAt          nextWrite;", "startFrom       latestTime;",
+         "endTime         250;", "\nwriteInterval   100;", "heat_gas", "heat_a", "heat_b" })
+  {
+    EXPECT_NE(control.find(entry), std::string::npos) << entry << control;
+  }
+  const std::string script = read("Allrun");
+  EXPECT_NE(script.find("-v solids=\"a\" -v sides=\"gas/gas_to_a/a/a_to_gas\" -v agreement=0.001"),
+    std::string::npos)
+    << script;
+  EXPECT_NE(script.find("[ $((last + 100)) -gt 250 ]"), std::string::npos) << script;
+}
+
 // Conjugate Heat is the flow's set-up, too: its turbulence has a time scale by the speed.
 TEST_F(SolverCase, HeatNeedsAFlow)
 {
