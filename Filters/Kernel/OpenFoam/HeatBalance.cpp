@@ -103,7 +103,7 @@ else
 fi
 )foam";
 
-std::string joined(std::string list, const std::string& word)
+std::string joined(const std::string& list, const std::string& word)
 {
   return list + (list.empty() ? "" : " ") + word;
 }
