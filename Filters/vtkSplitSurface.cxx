@@ -63,7 +63,7 @@ void SetTriangles(const cartesian::SurfaceView& view, vtkPolyData* output)
   }
   vtkNew<vtkCellArray> triangles;
   triangles->AllocateExact(
-    static_cast<vtkIdType>(view.triangleCount), static_cast<vtkIdType>(3 * view.triangleCount));
+    static_cast<vtkIdType>(view.triangleCount), 3 * static_cast<vtkIdType>(view.triangleCount));
   for (std::size_t t = 0; t < view.triangleCount; ++t)
   {
     triangles->InsertNextCell({ vtkIdType(view.triangles[3 * t]),
@@ -293,6 +293,6 @@ void vtkSplitSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BoundaryArray: " << this->BoundaryArray << "\n";
   os << indent << "SelectionName: " << this->SelectionName << "\n";
   os << indent << "SelectWholePatches: " << this->SelectWholePatches << "\n";
-  this->PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);
-  this->PrintColumn(os, indent, "BoundaryMergedNames", this->BoundaryMergedNames);
+  PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);
+  PrintColumn(os, indent, "BoundaryMergedNames", this->BoundaryMergedNames);
 }

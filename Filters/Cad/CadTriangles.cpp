@@ -417,6 +417,25 @@ void tell(const CadPart& part, const CadSolid& solid, double deflection, const C
   }
 }
 
+// Parts of damaged files.
+void dropEmpty(std::vector<CadSolid>& solids, const CadReport& report)
+{
+  for (const CadSolid& solid : solids)
+  {
+    if (solid.triangles.empty())
+    {
+      report.warning(
+        solid.name + " is left out: none of its faces can be triangulated. Export the part again.");
+    }
+  }
+  const auto isEmpty = [](const CadSolid& solid) { return solid.triangles.empty(); };
+  solids.erase(std::remove_if(solids.begin(), solids.end(), isEmpty), solids.end());
+  if (solids.empty())
+  {
+    throw CadError("holds no face that can be triangulated. Export the part again.");
+  }
+}
+
 }
 
 std::vector<CadSolid> trianglesOf(const std::vector<CadPart>& parts,
@@ -493,6 +512,7 @@ std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,
     tell(parts[p], best.solids[p], best.deflection, options, report);
     best.solids[p].deflection = asked;
   }
+  dropEmpty(best.solids, report);
   return std::move(best.solids);
 }
 

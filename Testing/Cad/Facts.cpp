@@ -53,7 +53,8 @@ GProp_GProps volumeOf(const TopoDS_Shape& solid, Integrals integrals)
   }
   else
   {
-    BRepGProp::VolumePropertiesGK(solid, properties, 1e-9);
+    BRepGProp::VolumePropertiesGK(
+      solid, properties, integrals == Integrals::Adaptive ? 1e-9 : 1e-5);
   }
   return properties;
 }
