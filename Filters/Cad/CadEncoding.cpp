@@ -167,6 +167,7 @@ std::string toUtf8(const std::string& text, CadEncoding from)
 {
   constexpr std::size_t Room = 4096;
   const iconv_t converter = iconv_open("UTF-8", of(from).ofSystem);
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): POSIX defines it so
   if (converter == reinterpret_cast<iconv_t>(-1))
   {
     throw CadError("has names in an encoding that this system does not know (" +

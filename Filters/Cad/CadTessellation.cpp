@@ -61,7 +61,7 @@ public:
   std::vector<CadPart> parts;
 
 private:
-  const StepValue& valueOf(const StepEntity& entity, std::size_t i) const
+  static const StepValue& valueOf(const StepEntity& entity, std::size_t i)
   {
     static const StepValue none;
     return i < entity.values.size() ? entity.values[i] : none;

@@ -324,16 +324,16 @@ bool enclosesAll(const CadSolid& solid, double deflection)
 }
 
 // `deflection`: in the unit of the result.
-Attempt weldAll(const std::vector<CadPart>& parts, const std::vector<CadPart>& exact,
+Attempt weldAll(const std::vector<CadPart>& tried, const std::vector<CadPart>& exact,
   const CadBoundaries& boundaries, const CadOptions& options, double deflection)
 {
   Attempt attempt;
   attempt.deflection = deflection;
   CadWeld weld;
-  for (std::size_t p = 0; p < parts.size(); ++p)
+  for (std::size_t p = 0; p < tried.size(); ++p)
   {
-    Triangulation triangulation(weld, parts[p], exact[p].shape, boundaries.ofFace[p], options.unit);
-    const bool isClosed = freeEdges(parts[p].shape).IsEmpty();
+    Triangulation triangulation(weld, tried[p], exact[p].shape, boundaries.ofFace[p], options.unit);
+    const bool isClosed = freeEdges(tried[p].shape).IsEmpty();
     const int flaws = static_cast<int>(triangulation.lacking().size()) +
       (isClosed ? triangulation.solid().openEdges : 0) +
       (isClosed && !enclosesAll(triangulation.solid(), deflection));
@@ -484,12 +484,12 @@ std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,
     throw CadError("holds shapes without extent only. Export the part again.");
   }
   Attempt best;
-  const auto attempt = [&](const std::vector<CadPart>& shapes, double deflection) {
-    const TopoDS_Compound all = together(shapes);
+  const auto attempt = [&](const std::vector<CadPart>& tried, double deflection) {
+    const TopoDS_Compound all = together(tried);
     BRepTools::Clean(all); // of triangles that came with the file, or were made before
     const Handle(CadProgress) progress = new CadProgress(report, 0.7, 0.95);
     mesh(all, deflection * options.unit, options.angle, progress->Start());
-    Attempt made = weldAll(shapes, parts, boundaries, options, deflection);
+    Attempt made = weldAll(tried, parts, boundaries, options, deflection);
     if (best.solids.empty() || made.flaws < best.flaws)
     {
       best = std::move(made);
