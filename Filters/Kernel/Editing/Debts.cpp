@@ -22,7 +22,7 @@ void forEachChanged(const EditMesh& mesh, bool ofWalls, Visitor&& visit)
     const EditFace& is = mesh.face(f);
     const bool hasMoved = isMeant(was) != isMeant(is) || was.corners.first != is.corners.first ||
       was.centre != is.centre;
-    if (hasMoved && mesh.isOldestOfFace(i))
+    if (hasMoved && EditMesh::isOldest(was))
     {
       visit(f, isMeant(was) ? mesh.signOf(was) * was.debt : 0, isMeant(is));
     }

@@ -209,8 +209,8 @@ void EditMesh::connect()
 EditMesh::Mark EditMesh::mark()
 {
   const Mark mark{ journal_.nodes.size(), journal_.faces.size(), journal_.cells.size(),
-    slots_.nodes.used, slots_.faces.used, slots_.cells.used, arena().size(), ledger,
-    journal_.epoch };
+    slots_.nodes.used, slots_.faces.used, slots_.cells.used, arena().size(), ledger, journal_.epoch,
+    journal_.epochs };
   journal_.epoch = ++journal_.epochs;
   ++journal_.marks;
   return mark;

@@ -445,6 +445,7 @@ public:
     std::size_t nodes, faces, cells, arena; // used slots; the arena's size
     Ledger ledger;
     std::uint32_t epoch;
+    std::uint32_t epochs; // how many there were
   };
 
   // Marks nest: the inner is undone or kept before the outer. Where one is set, nothing is unsettled.
@@ -467,12 +468,11 @@ public:
   const Records<EditFace>& faceRecords() const { return journal_.faces; }
   const Records<EditCell>& cellRecords() const { return journal_.cells; }
 
-  // Whether a record of a face is its oldest, from record `since` on: later ones are of edits within an edit.
-  bool isOldestOfFace(std::size_t record, std::size_t since = 0) const
+  // Whether a record is the oldest of its face since a mark (Mark::epochs), or the last commit: later ones are of edits
+  // within an edit.
+  static bool isOldest(const EditFace& record, std::uint32_t since = 0)
   {
-    const auto first = journal_.faces.begin() + std::ptrdiff_t(since);
-    const auto end = journal_.faces.begin() + std::ptrdiff_t(record);
-    return std::none_of(first, end, [&](const auto& older) { return older.first == end->first; });
+    return record.epoch <= since;
   }
 
   // --- changing

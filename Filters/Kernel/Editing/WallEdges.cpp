@@ -127,7 +127,7 @@ private:
       const EditFace& is = mesh_.face(f);
       const bool hasMoved = isWall(was) != isWall(is) || was.corners.first != is.corners.first ||
         was.centre != is.centre;
-      if ((!isWall(was) && !isWall(is)) || !hasMoved || !mesh_.isOldestOfFace(i, mark.faceRecords))
+      if ((!isWall(was) && !isWall(is)) || !hasMoved || !EditMesh::isOldest(was, mark.epochs))
       {
         continue;
       }
