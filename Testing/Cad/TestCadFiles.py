@@ -60,7 +60,7 @@ def check_file(file, facts):
             assert solid.volume == 0, f"{file}: two integrals do not agree on the volume: it is not known"
         else:
             assert_near(f"{file}: volume", solid.volume, abs(fact["volume"]), tolerance)
-        assert_near(f"{file}: area", solid.area, fact["area"], tolerance)
+            assert_near(f"{file}: area", solid.area, fact["area"], tolerance)
         off = abs(solid.volume_of_triangles - abs(fact["volume"]))
         assert off <= 2 * deflection * fact["area"], f"{file}: triangles' volume is off by {off}"
     assert sum(sheet.open_edges for sheet in sheets) == facts["openEdges"], file

@@ -48,6 +48,7 @@ ChangedDebt changedDebt(const EditMesh& mesh, bool ofWalls)
   ChangedDebt debt;
   forEachChanged(mesh, ofWalls, [&](std::uint32_t f, double was, bool isThere) {
     debt.before += was;
+    ++debt.walls;
     debt.area += isThere ? norm(mesh.face(f).area) : 0;
   });
   debt.after = debt.before - (ofWalls ? mesh.ledger.volume : mesh.ledger.across);

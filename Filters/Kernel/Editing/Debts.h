@@ -8,12 +8,13 @@ namespace cartesian
 {
 
 // Of the walls that changed since the last commit: what they owed, what those there now would owe (signed, in volume), and
-// the area of these.
+// the area of these, and how many changed.
 struct ChangedDebt
 {
   double before = 0;
   double after = 0;
   double area = 0;
+  std::size_t walls = 0;
 };
 
 // `ofWalls`: or of faces between regions.

@@ -363,13 +363,17 @@ bool keepsAreas(const EditMesh& mesh)
   return std::abs(after - before) <= Little * before;
 }
 
-// Whether walls have not drifted too far, or owe less than before.
+// Whether walls have not drifted too far, or owe less than before; of more than some it is not asked.
 bool mayOwe(const EditMesh& mesh, const ObjectiveSpec& spec, double box, double held)
 {
   const double most = MostLost * held;
   const auto may = [&](bool ofWalls) {
     const ChangedDebt debt = changedDebt(mesh, ofWalls);
     const double after = std::abs(debt.after);
+    if (debt.walls > MostFacesChanged)
+    {
+      return false;
+    }
     return after <= std::min(spec.mostDrift * std::cbrt(box) * debt.area, most) ||
       after <= std::abs(debt.before);
   };

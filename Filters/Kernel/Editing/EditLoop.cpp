@@ -108,6 +108,7 @@ public:
 
   LoopCounts run(const std::function<void()>& poll)
   {
+    trials_.setPoll(poll);
     for (const std::uint32_t c : task_.cells)
     {
       push({ 0, true, c });

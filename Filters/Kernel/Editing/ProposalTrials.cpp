@@ -57,6 +57,11 @@ bool isBetween(const EditMesh& mesh, std::uint32_t n, std::uint32_t p, std::uint
 template <class Edit>
 bool ProposalTrials::alsoMake(Edit&& edit)
 {
+  constexpr std::size_t EditsAPoll = 8; // one takes up to 20 ms in a cell with very many walls
+  if (poll_ != nullptr && ++count_ % EditsAPoll == 0)
+  {
+    (*poll_)();
+  }
   const double before = gainOf(mesh_, rules_.spec, box_);
   const double needed = needed_;
   const double aim = aim_;

@@ -5,6 +5,8 @@
 
 #include "Editing/Proposals.h"
 
+#include <functional>
+
 namespace cartesian
 {
 
@@ -16,6 +18,9 @@ public:
     , rules_(rules)
   {
   }
+
+  // Called now and then by what takes long; it may throw. It has to outlive this, or its last proposal.
+  void setPoll(const std::function<void()>& poll) { poll_ = &poll; }
 
   // In which volumes are measured: those of the cell's box.
   void setBox(std::uint32_t cell) { box_ = mesh_.cell(cell).box; }
@@ -56,6 +61,8 @@ private:
 
   EditMesh& mesh_;
   const EditRules& rules_;
+  const std::function<void()>* poll_ = nullptr;
+  std::size_t count_ = 0; // of further edits
   double box_ = 1;
   double aim_ = NoGain;    // what has to be gained with all that follows, or more
   double needed_ = NoGain; // ... by the edit itself

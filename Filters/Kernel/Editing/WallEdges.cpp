@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/WallEdges.h"
 
+#include "Editing/EditDecision.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Lattice/NearestPlace.h"
 
@@ -214,7 +215,7 @@ private:
     return least;
   }
 
-  static constexpr std::size_t Most = 256;
+  static constexpr std::size_t Most = 2 * MostFacesChanged; // and nodes
 
   const EditMesh& mesh_;
   FixedList<std::uint32_t, Most> now_;
