@@ -41,6 +41,9 @@ with Screen() as screen:
     assert re.search(r"fluid\s*\(\s*fluid\s*\)", regions) and re.search(r"solid\s*\(\s*pipe heater\s*\)", regions), regions
     control = case / "system" / "controlDict"
     control.write_text(re.sub(r"(endTime|writeInterval) +\d+;", r"\1 5;", control.read_text()))
+    allrun = case / "Allrun"  # heat stops after its first part
+    allrun.write_text(re.sub(r"(last \+ 100\)\)) -gt \d+", r"\1 -gt 102", allrun.read_text()))
+    assert "-gt 102" in allrun.read_text(), allrun.read_text()
     foam.run(case, "./Allrun")
     steps = re.findall(r"^Time = (\d+)$", (case / "log.chtMultiRegionSimpleFoam").read_text(), re.M)
     assert steps == ["1", "2", "3", "4", "5"], steps
