@@ -22,9 +22,6 @@ constexpr std::size_t MostOfSection = 128;
 // A crossing nearer to an end of its edge than this part of it falls on that end.
 constexpr double NearEnd = 0.15;
 
-// Nodes on walls that turn by less than this between them are on the surface: 26 degrees.
-constexpr double SmoothCosine = 0.9;
-
 // In boxes.
 constexpr double LeashOfCuts = 0.2;
 
@@ -265,8 +262,9 @@ private:
     }
     const Vector one = unit(mesh_.face(walls[0]).area);
     const Vector other = unit(mesh_.face(walls[1]).area);
-    const bool isSmooth =
-      mesh_.face(walls[0]).wall == mesh_.face(walls[1]).wall && dot(one, other) > SmoothCosine;
+    const bool areOnEdges = std::min(mesh_.node(a).kind, mesh_.node(b).kind) >= NodeKind::OnEdge;
+    const bool isSmooth = mesh_.face(walls[0]).wall == mesh_.face(walls[1]).wall &&
+      !mesh_.sharp().isSharp(dot(one, other), areOnEdges);
     made.kind = isSmooth ? NodeKind::OnSurface : NodeKind::OnEdge;
     made.along = unit(isSmooth ? plus(one, other) : minus(mesh_.node(b).at, mesh_.node(a).at));
   }

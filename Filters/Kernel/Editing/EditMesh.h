@@ -12,6 +12,7 @@
 #include "Base/RawVector.h"
 #include "Boxes/LocalBox.h"
 #include "Cells/SmallCellSpec.h"
+#include "Editing/SharpRule.h"
 #include "Lattice/Vector.h"
 
 #include <algorithm>
@@ -310,9 +311,10 @@ struct EditStore
   RecordVector<EditCell> cells;
   std::vector<RawVector<std::uint32_t>> arenas{
     {}
-  };                         // the first, which only compact() changes; each editor's
-  FreeSlots spare;           // all unused
-  double level = 1;          // the length of a lattice level: a power of two
+  };                // the first, which only compact() changes; each editor's
+  FreeSlots spare;  // all unused
+  double level = 1; // the length of a lattice level: a power of two
+  SharpRule sharp;
   double wantedShare = 0.35; // of its box: of cells that are large enough
   SmallCellSpec small;       // which cells go at any cost
   std::vector<std::uint8_t>
@@ -351,6 +353,7 @@ public:
   const EditFace& face(std::uint32_t i) const { return store_->faces[i]; }
   const EditCell& cell(std::uint32_t i) const { return store_->cells[i]; }
   double level() const { return store_->level; }
+  const SharpRule& sharp() const { return store_->sharp; }
   double wantedShare() const { return store_->wantedShare; }
   const Vector& low() const { return store_->low; }
   const Vector& high() const { return store_->high; }

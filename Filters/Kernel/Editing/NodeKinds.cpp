@@ -15,7 +15,6 @@ constexpr double StraightCosine = -0.9; // between the two sharp edges at a node
 constexpr double MostLeash = 0.4;       // in boxes
 constexpr double Sagitta = 0.012; // in boxes: how far a node may leave the surface on its leash
 constexpr double LeastSine = 1e-3;
-constexpr double OfOnePlane = 0.99996; // cosine: faces that turn by less do so by rounding
 
 constexpr std::size_t NodesAChunk = 1024;
 
@@ -125,7 +124,7 @@ private:
   {
     const PointKind lower = std::min(known, kinds_.of(mesh_.node(end).number));
     return kinds_.knowsEdges && lower != PointKind::OffSurface
-      ? lower >= PointKind::OnEdge && cosine < OfOnePlane
+      ? lower >= PointKind::OnEdge && cosine < SharpRule::OfOnePlane
       : cosine < featureCosine_;
   }
 

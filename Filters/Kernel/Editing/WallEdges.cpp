@@ -14,12 +14,28 @@ namespace cartesian
 namespace
 {
 
-constexpr double SharpCosine =
-  0.906307787036650; // 25 degrees: a little below the feature angle's default
+bool areOnEdges(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+{
+  return mesh.node(u).kind >= NodeKind::OnEdge && mesh.node(v).kind >= NodeKind::OnEdge;
+}
 
-// Between these, an edge of two wall faces is partly sharp.
-constexpr double BluntCosine = 0.94;
-constexpr double SharpFully = 0.84;
+// Calls visit(p, q) for edges of the one that the other has in reverse.
+template <class Visitor>
+void forEachShared(const EditMesh& mesh, std::uint32_t f, std::uint32_t g, Visitor&& visit)
+{
+  const Items a = mesh.cornersOf(f);
+  const Items b = mesh.cornersOf(g);
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    const std::uint32_t p = a[i];
+    const std::uint32_t q = a[(i + 1) % a.size()];
+    const std::size_t j = placeOf(b, q);
+    if (j < b.size() && b[(j + 1) % b.size()] == p)
+    {
+      visit(p, q);
+    }
+  }
+}
 
 bool isEdgeAt(Items ring, std::size_t i, std::uint32_t v)
 {
@@ -255,7 +271,8 @@ WallEdge wallEdgeOf(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
     return dot(unit(sides[0]->area), unit(sides[1]->area)) *
       (isForward[0] != isForward[1] ? 1 : -1);
   };
-  const bool isSmooth = count == 2 && sides[0]->wall == sides[1]->wall && cosine() >= SharpCosine;
+  const bool isSmooth = count == 2 && sides[0]->wall == sides[1]->wall &&
+    !mesh.sharp().isSharp(cosine(), areOnEdges(mesh, u, v));
   return { count > 0, !isSmooth };
 }
 
@@ -280,19 +297,10 @@ SharpEnds sharpEndsAt(const EditMesh& mesh, std::uint32_t u)
 
 double sharedLength(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
 {
-  const Items a = mesh.cornersOf(f);
-  const Items b = mesh.cornersOf(g);
   double length = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    const std::uint32_t p = a[i];
-    const std::uint32_t q = a[(i + 1) % a.size()];
-    const std::size_t j = placeOf(b, q);
-    if (j < b.size() && b[(j + 1) % b.size()] == p)
-    {
-      length += norm(minus(mesh.node(p).at, mesh.node(q).at));
-    }
-  }
+  forEachShared(mesh, f, g, [&](std::uint32_t p, std::uint32_t q) {
+    length += norm(minus(mesh.node(p).at, mesh.node(q).at));
+  });
   return length;
 }
 
@@ -310,8 +318,10 @@ double sharpnessBetween(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
   {
     return 0;
   }
-  const double cosine = cosineBetween(mesh, f, g);
-  return std::clamp((BluntCosine - cosine) / (BluntCosine - SharpFully), 0.0, 1.0);
+  bool isOnKnown = false;
+  forEachShared(mesh, f, g,
+    [&](std::uint32_t p, std::uint32_t q) { isOnKnown = isOnKnown || areOnEdges(mesh, p, q); });
+  return mesh.sharp().sharpness(cosineBetween(mesh, f, g), isOnKnown);
 }
 
 bool areAdjacent(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)

@@ -27,7 +27,7 @@ double sharedLength(const EditMesh& mesh, std::uint32_t f, std::uint32_t g);
 // Between the normals of two faces that have a cell in common, both out of it.
 double cosineBetween(const EditMesh& mesh, std::uint32_t f, std::uint32_t g);
 
-// How much two wall faces turn at what they share: 0 where by less than 20 degrees, 1 from 33 degrees on.
+// How sharp what two wall faces share is (SharpRule.h): 0 to 1.
 double sharpnessBetween(const EditMesh& mesh, std::uint32_t f, std::uint32_t g);
 
 // Whether they have two corners in common.

@@ -37,6 +37,7 @@ public:
 
   void run(double featureAngle)
   {
+    store_.sharp = SharpRule(featureAngle, parts_.patches.knowsEdges);
     chooseUnit();
     addCells();
     faces_ = listOpenedFaces(parts_, keys_, numbers_, execution_);

@@ -205,6 +205,85 @@ TEST(MayJoin, ChargesForSharpEdges)
   }
 }
 
+std::array<std::uint32_t, 2> upperWalls(const EditMesh& mesh)
+{
+  std::array<std::uint32_t, 2> upper{ None, None };
+  for (const std::uint32_t f : mesh.facesOf(0))
+  {
+    if (mesh.face(f).wall == 5)
+    {
+      upper[upper[0] == None ? 0 : 1] = f;
+    }
+  }
+  return upper;
+}
+
+// Where the surface knows its edges, those between nodes on edges count, flat as they may be.
+TEST(MayJoin, ChargesForKnownEdges)
+{
+  for (const bool isKnown : { false, true })
+  {
+    for (const bool isOnEdge : { false, true })
+    {
+      const double depth = 0.03125; // a turn of 4 degrees
+      EditMesh mesh = dentedCell(depth);
+      for (const double y : { 0.0, 1.0 })
+      {
+        mesh.rawNode(nodeAt(mesh, { 1, y, 1 - depth })).kind =
+          isOnEdge ? NodeKind::OnEdge : NodeKind::OnSurface;
+      }
+      mesh.store().sharp = SharpRule(180, isKnown);
+      double charge = 0;
+      const auto [f, g] = upperWalls(mesh);
+      EXPECT_TRUE(mayJoin(mesh, EditRules(), f, g, charge));
+      EXPECT_EQ(charge > 0, isOnEdge && isKnown);
+    }
+  }
+}
+
+// An edge of 14 degrees is sharp by a small feature angle; one of 53 by any: boxes have kept it.
+TEST(MayJoin, ChargesByTheFeatureAngle)
+{
+  for (const double featureAngle : { 10.0, 30.0, 75.0, 180.0 })
+  {
+    for (const double depth : { 0.125, 0.5 })
+    {
+      EditMesh mesh = dentedCell(depth);
+      mesh.store().sharp = SharpRule(featureAngle);
+      double charge = 0;
+      const auto [f, g] = upperWalls(mesh);
+      EXPECT_TRUE(mayJoin(mesh, EditRules(), f, g, charge));
+      EXPECT_EQ(charge > 0, featureAngle == 10 || depth == 0.5) << featureAngle;
+    }
+  }
+}
+
+TEST(MayCollapse, ChargesForAKnownEdgeThatMoves)
+{
+  TestMeshSpec spec;
+  spec.place = [](const Vector& p) { // a flat ridge
+    return Vector{ p[0], p[1], p[2] == 3 && p[0] == 1 ? 3.03125 : p[2] };
+  };
+  const Vector ridge{ 1, 1, 3.03125 };
+  for (const bool isKnown : { false, true })
+  {
+    EditMesh mesh = meshOfBoxes(blockOfBoxes(3, 3, 3), spec);
+    for (const double y : { 0.0, 1.0, 2.0, 3.0 })
+    {
+      mesh.rawNode(nodeAt(mesh, { 1, y, 3.03125 })).kind = NodeKind::OnEdge;
+    }
+    mesh.store().sharp = SharpRule(30, isKnown);
+    double charge = 0;
+    const bool may = mayCollapse(
+      mesh, EditRules(), nodeAt(mesh, ridge), nodeAt(mesh, { 2, 1, 3 }), { 2, 1, 3 }, charge);
+    EXPECT_EQ(may, !isKnown); // a node on an edge does not become one beside it
+    charge = 0;
+    EXPECT_TRUE(mayCollapse(mesh, EditRules(), nodeAt(mesh, ridge), nodeAt(mesh, { 1, 2, 3.03125 }),
+      { 1.0625, 2, 3.03125 }, charge));
+    EXPECT_EQ(charge > 0, isKnown);
+  }
+}
+
 // What gains is decided by the objective; not what fails, nor a wall that moves far.
 TEST(Decide, ByTheGain)
 {

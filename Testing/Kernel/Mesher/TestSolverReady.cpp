@@ -150,9 +150,8 @@ const std::vector<KnownFailure> KnownFailures{
   { "PyramidOnAPlane", "Determinant", { 0.27, 0, 0 } },
   { "Needle", "Determinant", { 1, 1, 1 } },
   { "StarPolyhedron", "StarTriangulation", { 0.072, 0, 0.0044 } },
-  { "BumpySphere", WrongArea, { 0.12, 0, 0 } },
+  { "BumpySphere", WrongArea, { 0.125, 0, 0 } },
   { "BumpySphere", "StarTriangulation", { 0.16, 0, 0 } }, // what a cell around a rim became
-  { "BumpySphere", ProjectedCentres, { 0, 0.0059, 0 } },
   { "Tiny", "Determinant", { 0.053, 0, 0.0021 } },
   { "Tiny", ProjectedCentres, { 0.053, 0, 0 } },
   { "Tiny", "StarTriangulation", { 0.11, 0, 0 } },
