@@ -126,6 +126,22 @@ def test_damage_that_does_no_harm():
     assert read.solids[0].open_edges == 0
 
 
+def test_faces_without_triangles():
+    """As B-splines some have triangles; flat ones are made anew from their edges. What stays open is an error, unless asked for."""
+    read = Content(FOLDER / "countersunk_10_0.brep")
+    assert not read.said and read.solids[0].open_edges == 0, read.said
+    read = Content(FOLDER / "tangled_flat_10_0.brep")
+    found = [finding for finding in read.findings() if "Made flat" in finding]
+    assert not read.said and len(found) == 1 and "face 6 of tangled_flat_10_0 at (15, 10, 10)" in found[0], read.findings()
+    solid, = read.solids
+    assert solid.open_edges == 0 and np.allclose([solid.volume, solid.own_volume()], 6000, rtol=1e-9), solid.own_volume()
+    read = Content(FOLDER / "tangled_round.brep")
+    assert read.is_error and "no triangles can be made: number 1 of tangled_round (6 faces) at (-2.5, 2.5, 10)" in read.said, read.said
+    assert "Keep Damaged Faces" in read.said and "45 edges stay open" in read.said, read.said
+    read = Content(FOLDER / "tangled_round.brep", KeepDamagedFaces=True)
+    assert not read.is_error and "45 of their edges are open" in read.said and read.solids[0].open_edges == 45, read.said
+
+
 def test_gaps_and_sheets():
     read = Content(FOLDER / "gaps.step")
     assert "set a larger Heal Tolerance" in read.said and "up to 0.0001 are" in read.said, read.said
