@@ -145,6 +145,10 @@ def test_faces_without_triangles():
 def test_gaps_and_sheets():
     read = Content(FOLDER / "gaps.step")
     assert "set a larger Heal Tolerance" in read.said and "up to 0.0001 are" in read.said, read.said
+    read = Content(FOLDER / "open_box_beside_cube.brep")
+    assert not any("Divided" in finding for finding in read.findings()), read.findings()
+    assert [solid.open_edges for solid in read.solids] == [0, 4] and read.solids[1].name.endswith("_sheet")
+    assert np.isclose(read.solids[0].volume, 1000, rtol=1e-9)
     for file in "sheet.step", "solid_and_sheet.step":
         read = Content(FOLDER / file)
         assert "is open" in read.said and "Heal Tolerance" not in read.said and "sheet" in read.said, read.said
