@@ -138,17 +138,26 @@ def test_tessellated_in_an_assembly():
         assert np.allclose(solid.centre(), centre, rtol=0, atol=1e-9), solid.centre()
 
 
+def renumbered(path):
+    """The entities of a STEP file, for another one."""
+    entities = path.read_text(encoding="ascii").partition("DATA;\n")[2].partition("ENDSEC;")[0]
+    return re.sub(r"#(\d+)", lambda number: f"#{int(number.group(1)) + 90000}", entities)
+
+
+def with_more(text, entities):
+    return text.replace("ENDSEC;\nEND-ISO", entities + "ENDSEC;\nEND-ISO")
+
+
 def test_tessellated_beside_exact():
     """A product of its own is read, or named if it cannot be; another form of the exact solid is not."""
     exact = (FOLDER / "colours.step").read_text(encoding="ascii")
     before = Content(FOLDER / "colours.step").solids[0]
     tessellated()
-    entities = (SCRATCH / "tessellated.stp").read_text(encoding="ascii").partition("DATA;\n")[2].partition("ENDSEC;")[0]
-    entities = re.sub(r"#(\d+)", lambda number: f"#{int(number.group(1)) + 90000}", entities)
+    entities = renumbered(SCRATCH / "tessellated.stp")
     path = SCRATCH / "both.step"
 
     def read(more):
-        path.write_text(exact.replace("ENDSEC;\nEND-ISO", more + "ENDSEC;\nEND-ISO"), encoding="ascii")
+        path.write_text(with_more(exact, more), encoding="ascii")
         content = Content(path)
         assert not content.is_error, content.said
         assert np.array_equal(content.solids[0].triangles, before.triangles)
@@ -192,6 +201,24 @@ def test_parts_in_other_files():
     read = Content(SCRATCH / "several_files.step")
     assert read.is_error and "outside_block.stp" in read.said, read.said
     assert not Content(FOLDER / "several_files.step").said
+    both = SCRATCH / "some_in_other_files.step"
+    text = (FOLDER / "several_files.step").read_text(encoding="ascii")
+    both.write_text(with_more(text, renumbered(FOLDER / "colours.step")), encoding="ascii")
+    read = Content(both)
+    assert not read.is_error and "Parts are missing" in read.said and "outside_block.stp" in read.said, read.said
+    assert len(read.solids) == 1 and np.isclose(read.solids[0].volume, 6000, rtol=1e-9), read.solids
+
+
+def test_lost_faces_of_iges():
+    """A trimmed surface without its surface."""
+    text = (FOLDER / "faces.igs").read_text(encoding="ascii")
+    path = SCRATCH / "lost.igs"
+    path.write_text(re.sub(r"^144,\d+,", lambda found: "144,0,".ljust(len(found.group(0)), " "), text, count=1, flags=re.MULTILINE),
+                    encoding="ascii")
+    read = Content(path)
+    assert not read.is_error and "nothing could be made: there may be holes" in read.said, read.said
+    assert "damaged in the file" in read.said and sum(solid.open_edges for solid in read.solids) > 0, read.said
+    assert not Content(FOLDER / "faces.igs").said
 
 
 def test_damage_that_does_no_harm():
