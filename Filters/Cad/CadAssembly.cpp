@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CadAssembly.h"
 
+#include "CadNames.h"
+
 #include <BRep_Builder.hxx>
 #include <Quantity_Color.hxx>
 #include <TColStd_HSequenceOfExtendedString.hxx>
@@ -100,7 +102,7 @@ private:
       const std::string own = nameOf(label);
       const bool isUnnamed = own.empty() && nameOf(product).empty();
       walk(product, place * XCAFDoc_ShapeTool::GetLocation(label),
-        { isUnnamed ? names.instance : own, own.empty() ? names.product : own }, style);
+        { isUnnamed ? names.instance : own, isNumbered(own) ? names.product : own }, style);
     }
     else if (XCAFDoc_ShapeTool::IsAssembly(label))
     {

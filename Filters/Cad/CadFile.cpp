@@ -26,6 +26,8 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <set>
 #include <sstream>
 
 namespace cartesian
@@ -42,6 +44,9 @@ Handle(TDocStd_Document) newDocument()
 
 constexpr const char* NoShapes =
   "holds no shapes: it is empty, damaged, or of another format. Export it again.";
+
+constexpr const char* AsTheyAre = "They are taken as they are: Deflection, Angle, Heal Tolerance, "
+                                  "Glue Solids and Merge Coplanar do nothing.";
 
 void checkRead(IFSelect_ReturnStatus status, const std::string& format)
 {
@@ -114,18 +119,51 @@ void tellUnread(const STEPCAFControl_Reader& reader, bool hasSome, const CadRepo
 
 CadFile tessellatedFile(const std::string& text, const CadReport& report)
 {
-  report.note("The file has triangles instead of exact shapes. They are taken as they are: "
-              "Deflection, Angle, Heal "
-              "Tolerance, Glue Solids and Merge Coplanar do nothing.");
+  const std::string placement = unreadPlacement(text);
+  if (!placement.empty())
+  {
+    throw CadError("holds tessellated solids (AP242)" + placement);
+  }
+  report.note(std::string("The file has triangles instead of exact shapes. ") + AsTheyAre);
   CadFile file;
-  file.parts = tessellatedParts(text);
+  file.parts = tessellatedParts(text, false);
   if (!hasFaces(file.parts))
   {
     throw CadError(
       "holds triangles that belong to no solid, or is damaged. Export exact shapes (BREP).");
   }
-  file.isTessellated = true;
   return file;
+}
+
+// Of products that have no exact shape, beside others that have.
+void addTessellated(const std::string& text, std::vector<CadPart>& parts, const CadReport& report)
+{
+  std::vector<CadPart> more;
+  try
+  {
+    more = tessellatedParts(text, true);
+  }
+  catch (const CadError& error)
+  {
+    report.warning(
+      std::string("Tessellated solids (AP242) are left out. The file ") + error.what());
+  }
+  std::set<std::string> unique;
+  for (const CadPart& part : more)
+  {
+    unique.insert(part.name.empty() ? "one without a name" : part.name);
+  }
+  const std::string names = listOf({ unique.begin(), unique.end() });
+  const std::string placement = unreadPlacement(text);
+  if (!more.empty() && !placement.empty())
+  {
+    report.warning("Left out: " + names + ", tessellated solids (AP242)" + placement);
+  }
+  else if (!more.empty())
+  {
+    report.note("Triangles instead of exact shapes have: " + names + ". " + AsTheyAre);
+    std::move(more.begin(), more.end(), std::back_inserter(parts));
+  }
 }
 
 CadFile readStep(const std::string& path, const CadOptions& options, const CadReport& report)
@@ -154,6 +192,10 @@ CadFile readStep(const std::string& path, const CadOptions& options, const CadRe
   if (isTessellated && !hasFaces(file.parts))
   {
     return tessellatedFile(text, report);
+  }
+  if (isTessellated)
+  {
+    addTessellated(text, file.parts, report);
   }
   tellUnread(reader, hasFaces(file.parts), report);
   if (!isTransferred)

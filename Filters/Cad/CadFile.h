@@ -13,8 +13,7 @@ struct CadFile
 {
   std::vector<CadPart>
     parts; // solids first; then one part of all faces that belong to no solid, if there are any
-  bool isTessellated = false; // triangles instead of exact shapes
-  bool hasTopology = true;    // false: faces do not know their neighbours (IGES)
+  bool hasTopology = true; // false: faces do not know their neighbours (IGES)
 };
 
 // Throws CadError: the file cannot be read, or has neither solids nor faces.

@@ -242,7 +242,10 @@ private:
       return together;
     }
     std::vector<CadPart> apart = eachSewn(bodies, part);
-    const auto isBetter = sewing.open > 0 ? std::any_of(apart.begin(), apart.end(), isSolid)
+    const auto solidsOf = [](const std::vector<CadPart>& made) {
+      return std::count_if(made.begin(), made.end(), isSolid);
+    };
+    const bool isBetter = sewing.open > 0 ? solidsOf(apart) > solidsOf(together)
                                           : std::all_of(apart.begin(), apart.end(), isSolid);
     if (isBetter)
     {
@@ -255,11 +258,19 @@ private:
     const std::vector<std::vector<std::size_t>>& bodies, const CadPart& part) const
   {
     std::vector<CadPart> all;
+    std::vector<CadPart> open;
     for (const std::vector<std::size_t>& body : bodies)
     {
       const CadPart own = partOf(part, body);
-      const std::vector<CadPart> made = partsOf(sewAsNeeded(own, hasTopology_, options_), own);
-      all.insert(all.end(), made.begin(), made.end());
+      for (CadPart& made : partsOf(sewAsNeeded(own, hasTopology_, options_), own))
+      {
+        (isSolid(made) ? all : open).push_back(std::move(made));
+      }
+    }
+    if (!open.empty()) // slivers among them, whose edges lie on each other
+    {
+      all.push_back(united(open));
+      all.back().instance = part.instance;
     }
     return all;
   }

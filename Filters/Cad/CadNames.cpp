@@ -162,14 +162,6 @@ CadBoundaries byGroups(const std::vector<CadPart>& parts)
   });
 }
 
-// "NAUO1", "9".
-bool isNumbered(const std::string& instance)
-{
-  const std::string digits = instance.rfind("NAUO", 0) == 0 ? instance.substr(4) : instance;
-  return std::all_of(
-    digits.begin(), digits.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
-}
-
 // Whether the assembly tells instances apart, by names that no other solid has.
 bool instancesDiffer(const std::vector<CadPart*>& parts, const std::set<std::string>& taken)
 {
@@ -203,6 +195,13 @@ void nameSheets(std::vector<CadPart>& parts)
   }
 }
 
+}
+
+bool isNumbered(const std::string& instance)
+{
+  const std::string digits = instance.rfind("NAUO", 0) == 0 ? instance.substr(4) : instance;
+  return std::all_of(
+    digits.begin(), digits.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
 void numberAlike(std::vector<CadPart>& parts, const std::string& other)

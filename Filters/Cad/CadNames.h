@@ -16,6 +16,9 @@ struct CadBoundaries
   std::vector<std::vector<std::int32_t>> ofFace; // of each part, in order of facesOf()
 };
 
+// Whether an assembly only counts its instances: "NAUO1", "9".
+bool isNumbered(const std::string& instance);
+
 // Gives solids of one name names that differ: those of the instances, if these do, else bolt_1, bolt_2. Those without a
 // name are called `other`; a sheet beside a solid of its name, bolt_sheet.
 void numberAlike(std::vector<CadPart>& parts, const std::string& other);

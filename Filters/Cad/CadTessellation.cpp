@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CadTessellation.h"
 
-#include "StepText.h"
+#include "StepProducts.h"
 
 #include <BRep_Builder.hxx>
 #include <Poly_Triangulation.hxx>
@@ -37,17 +37,22 @@ constexpr std::array<FaceKind, 4> FaceKinds{ { { "TRIANGULATED_FACE", 5, 6, fals
 constexpr std::array<const char*, 3> Representations{ "TESSELLATED_SHAPE_REPRESENTATION",
   "TESSELLATED_SHAPE_REPRESENTATION_WITH_ACCURACY_PARAMETERS", "SHAPE_REPRESENTATION" };
 
-// What places one shape several times, or elsewhere.
-constexpr std::array<const char*, 3> Placements{ "NEXT_ASSEMBLY_USAGE_OCCURRENCE", "MAPPED_ITEM",
-  "REPOSITIONED_TESSELLATED_ITEM" };
+// Exact shapes: what a product has of them, its triangles only repeat.
+constexpr std::array<const char*, 6> ExactBodies{ "MANIFOLD_SOLID_BREP", "BREP_WITH_VOIDS",
+  "FACETED_BREP", "SHELL_BASED_SURFACE_MODEL", "FACE_BASED_SURFACE_MODEL", "GEOMETRIC_SET" };
+
+// What places one shape several times, or elsewhere, in ways that are not read.
+constexpr std::array<const char*, 2> Placements{ "MAPPED_ITEM", "REPOSITIONED_TESSELLATED_ITEM" };
 
 using Corners = std::array<int, 3>;
 
 class Tessellation
 {
 public:
-  explicit Tessellation(const std::string& text)
+  Tessellation(const std::string& text, bool isBesideExact)
     : step_(text)
+    , products_(step_)
+    , isBesideExact_(isBesideExact)
   {
     for (const char* type : Representations)
     {
@@ -61,92 +66,54 @@ public:
   std::vector<CadPart> parts;
 
 private:
-  static const StepValue& valueOf(const StepEntity& entity, std::size_t i)
-  {
-    static const StepValue none;
-    return i < entity.values.size() ? entity.values[i] : none;
-  }
-
   void addRepresentation(int number, const StepEntity& shape)
   {
-    millimetres_ = unitOf(valueOf(shape, 2).reference);
-    const std::string product = productOf(number);
-    const std::vector<StepValue>& items = valueOf(shape, 1).list;
+    millimetres_ = products_.millimetresIn(valueOf(shape, 2).reference);
+    const int product = products_.productOf(number);
+    if (isBesideExact_ && (product == 0 || hasExactBodies(product)))
+    {
+      return;
+    }
+    const std::string name = products_.nameOf(product);
     std::vector<int> bodies;
-    for (const StepValue& item : items)
+    for (const StepValue& item : valueOf(shape, 1).list)
     {
       const StepEntity entity = first(item.reference);
-      if (isBody(entity) || isFace(entity))
+      const bool isExactToo = isBesideExact_ && isBody(entity) && valueOf(entity, 2).reference != 0;
+      if ((isBody(entity) || isFace(entity)) && !isExactToo)
       {
         bodies.push_back(item.reference);
       }
     }
+    const std::size_t before = parts.size();
     for (const int body : bodies)
     {
-      addItem(body, bodies.size() == 1 ? product : "", product);
+      addItem(body, bodies.size() == 1 ? name : "", name);
+    }
+    const std::vector<CadPart> own(parts.begin() + std::ptrdiff_t(before), parts.end());
+    parts.resize(before);
+    for (const StepPlace& place : products_.placesOf(product))
+    {
+      for (CadPart part : own)
+      {
+        part.shape = part.shape.Moved(TopLoc_Location(place.where));
+        part.instance = place.name;
+        parts.push_back(std::move(part));
+      }
     }
   }
 
-  // In millimetres.
-  double lengthOf(int unit) const
+  bool hasExactBodies(int product) const
   {
-    static const std::map<std::string, double> prefixes{ { "MILLI", 1 }, { "CENTI", 10 },
-      { "DECI", 100 }, { "KILO", 1e6 }, { "MICRO", 1e-3 }, { "NANO", 1e-6 } };
-    const StepEntity converted = step_.part(unit, "CONVERSION_BASED_UNIT");
-    if (!converted.values.empty())
-    {
-      const StepEntity value = first(valueOf(converted, 1).reference);
-      const StepValue& length = valueOf(value, 0);
-      return length.list.empty()
-        ? 1
-        : length.list.front().number * lengthOf(valueOf(value, 1).reference);
-    }
-    const StepEntity si = step_.part(unit, "SI_UNIT");
-    const auto prefix = prefixes.find(valueOf(si, 0).text);
-    return prefix == prefixes.end() ? 1000 : prefix->second;
-  }
-
-  double unitOf(int context) const
-  {
-    const StepEntity units = step_.part(context, "GLOBAL_UNIT_ASSIGNED_CONTEXT");
-    for (const StepValue& unit : valueOf(units, 0).list)
-    {
-      const std::vector<StepEntity> kinds = step_.at(unit.reference);
-      if (std::any_of(kinds.begin(), kinds.end(),
-            [](const StepEntity& part) { return part.type == "LENGTH_UNIT"; }))
-      {
-        return lengthOf(unit.reference);
-      }
-    }
-    return 1;
-  }
-
-  // Its name, also if the product has another representation that this one belongs to.
-  std::string productOf(int representation) const
-  {
-    std::set<int> same{ representation };
-    for (const int number : step_.all("SHAPE_REPRESENTATION_RELATIONSHIP"))
-    {
-      const StepEntity link = step_.part(number, "SHAPE_REPRESENTATION_RELATIONSHIP");
-      const int one = valueOf(link, 2).reference;
-      const int other = valueOf(link, 3).reference;
-      if (one == representation || other == representation)
-      {
-        same.insert({ one, other });
-      }
-    }
-    for (const int number : step_.all("SHAPE_DEFINITION_REPRESENTATION"))
-    {
-      const StepEntity link = step_.part(number, "SHAPE_DEFINITION_REPRESENTATION");
-      if (same.count(valueOf(link, 1).reference) > 0)
-      {
-        const StepEntity shape = step_.part(valueOf(link, 0).reference, "PRODUCT_DEFINITION_SHAPE");
-        const StepEntity definition = first(valueOf(shape, 2).reference);
-        const StepEntity version = first(valueOf(definition, 2).reference);
-        return valueOf(first(valueOf(version, 2).reference), 0).text;
-      }
-    }
-    return "";
+    const std::set<int> all = products_.representationsOf(product);
+    return std::any_of(all.begin(), all.end(), [&](int representation) {
+      const StepEntity shape = first(representation);
+      const std::vector<StepValue>& items = valueOf(shape, 1).list;
+      return std::any_of(items.begin(), items.end(), [&](const StepValue& item) {
+        return std::find(ExactBodies.begin(), ExactBodies.end(), first(item.reference).type) !=
+          ExactBodies.end();
+      });
+    });
   }
 
   StepEntity first(int number) const
@@ -211,7 +178,7 @@ private:
   }
 
   // By numbers of points in the list of coordinates, from 1.
-  std::vector<Corners> trianglesOf(const StepEntity& face, const FaceKind& kind) const
+  static std::vector<Corners> trianglesOf(const StepEntity& face, const FaceKind& kind)
   {
     std::vector<Corners> triangles;
     const std::vector<StepValue>& indices = valueOf(face, kind.indices).list;
@@ -295,6 +262,8 @@ private:
   }
 
   StepText step_;
+  StepProducts products_;
+  bool isBesideExact_;
   double millimetres_ = 1;                    // a unit of the representation in hand
   std::map<int, std::vector<gp_Pnt>> points_; // by list of coordinates
 };
@@ -307,19 +276,20 @@ bool holdsTriangles(const std::string& text)
     text.find("TRIANGULATED_SURFACE_SET") != std::string::npos;
 }
 
-std::vector<CadPart> tessellatedParts(const std::string& text)
+std::vector<CadPart> tessellatedParts(const std::string& text, bool isBesideExact)
+{
+  return Tessellation(text, isBesideExact).parts;
+}
+
+std::string unreadPlacement(const std::string& text)
 {
   const auto* const placement = std::find_if(Placements.begin(), Placements.end(),
     [&](const char* type) { return text.find(type) != std::string::npos; });
-  if (placement != Placements.end())
-  {
-    throw CadError(std::string("holds tessellated solids (AP242) that are placed by ") +
-      *placement +
-      ": only those that are where their points are can be read. Export exact shapes (BREP), or "
-      "each part by "
-      "itself.");
-  }
-  return Tessellation(text).parts;
+  return placement == Placements.end() ? ""
+                                       : std::string(" placed by ") + *placement +
+      ": only those that are where their points are, or where an assembly places them, can be "
+      "read. "
+      "Export exact shapes (BREP), or each part by itself.";
 }
 
 }

@@ -2,6 +2,7 @@
 #include "CadTriangles.h"
 
 #include "CadEdges.h"
+#include "CadFlat.h"
 #include "CadGaps.h"
 #include "CadMeasures.h"
 #include "CadProgress.h"
@@ -308,6 +309,7 @@ private:
 // Triangles of all parts.
 struct Attempt
 {
+  std::vector<CadPart> parts; // of which they are
   std::vector<CadSolid> solids;
   std::vector<std::vector<int>> lacking; // faces of each part that have no triangles
   std::vector<bool> isFlawed;            // of each part
@@ -328,6 +330,7 @@ Attempt weldAll(const std::vector<CadPart>& tried, const std::vector<CadPart>& e
   const CadBoundaries& boundaries, const CadOptions& options, double deflection)
 {
   Attempt attempt;
+  attempt.parts = tried;
   attempt.deflection = deflection;
   CadWeld weld;
   for (std::size_t p = 0; p < tried.size(); ++p)
@@ -369,6 +372,25 @@ void refuseDamaged(
       " edges stay open there. Export the part again, or in another format; or switch on Keep "
       "Damaged Faces to "
       "take it as it is.");
+  }
+}
+
+// Which faces are flat now, by number in their parts.
+void tellFlat(const std::vector<CadPart>& parts, const std::vector<std::vector<int>>& faces,
+  const std::vector<std::vector<bool>>& isFlat, const CadOptions& options, const CadReport& report)
+{
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    for (std::size_t i = 0; i < faces[p].size(); ++i)
+    {
+      if (isFlat[p][i])
+      {
+        report.note(
+          "Made flat between its edges, as no triangles can be made of it otherwise: face " +
+          std::to_string(faces[p][i]) + " of " + parts[p].name + " at " +
+          placeOf(facesOf(parts[p].shape)(faces[p][i]), options.unit) + ".");
+      }
+    }
   }
 }
 
@@ -484,27 +506,39 @@ std::vector<CadSolid> triangulate(const std::vector<CadPart>& parts,
     throw CadError("holds shapes without extent only. Export the part again.");
   }
   Attempt best;
-  const auto attempt = [&](const std::vector<CadPart>& tried, double deflection) {
+  // Measures what is `exact`. Whether it is the best so far.
+  const auto attempt = [&](const std::vector<CadPart>& tried, const std::vector<CadPart>& exact,
+                         double deflection) {
     const TopoDS_Compound all = together(tried);
     BRepTools::Clean(all); // of triangles that came with the file, or were made before
     const Handle(CadProgress) progress = new CadProgress(report, 0.7, 0.95);
     mesh(all, deflection * options.unit, options.angle, progress->Start());
-    Attempt made = weldAll(tried, parts, boundaries, options, deflection);
-    if (best.solids.empty() || made.flaws < best.flaws)
+    Attempt made = weldAll(tried, exact, boundaries, options, deflection);
+    const bool isBest = best.solids.empty() || made.flaws < best.flaws;
+    if (isBest)
     {
       best = std::move(made);
     }
+    return isBest;
   };
   for (int i = 0; i < MostTries && (i == 0 || best.flaws > 0); ++i)
   {
-    attempt(parts, std::ldexp(asked, -i));
+    attempt(parts, parts, std::ldexp(asked, -i));
   }
   if (best.flaws > 0)
   {
     if (const std::vector<CadPart> splines = asSplines(parts, best.isFlawed); !splines.empty())
     {
-      attempt(splines, asked);
+      attempt(splines, parts, asked);
     }
+  }
+  const std::vector<std::vector<int>> lacking = best.lacking;
+  const double distance = asked * options.unit;
+  std::vector<std::vector<bool>> isFlat;
+  const std::vector<CadPart> flat = withFlatFaces(parts, lacking, distance, isFlat);
+  if (!flat.empty() && attempt(withFlatFaces(best.parts, lacking, distance, isFlat), flat, asked))
+  {
+    tellFlat(parts, lacking, isFlat, options, report);
   }
   refuseDamaged(parts, best, options);
   for (std::size_t p = 0; p < parts.size(); ++p)

@@ -117,6 +117,15 @@ void prepare(
   }
 }
 
+std::vector<CadPart> takeTessellated(std::vector<CadPart>& parts)
+{
+  const auto first = std::stable_partition(
+    parts.begin(), parts.end(), [](const CadPart& part) { return !isTessellated(part.shape); });
+  std::vector<CadPart> taken(first, parts.end());
+  parts.erase(first, parts.end());
+  return taken;
+}
+
 void read(const std::string& path, const CadOptions& options, Output& output)
 {
   CadReport report;
@@ -127,23 +136,34 @@ void read(const std::string& path, const CadOptions& options, Output& output)
 
   CadFile file = readCadFile(path, options, report);
   const std::string name = std::filesystem::path(path).stem().string();
-  if (file.isTessellated)
-  {
-    numberAlike(file.parts, name);
-  }
-  else
+  const std::vector<CadPart> triangles = takeTessellated(file.parts);
+  if (!file.parts.empty())
   {
     prepare(file, name, options, report);
   }
+  const std::size_t exact = file.parts.size();
+  file.parts.insert(file.parts.end(), triangles.begin(), triangles.end());
+  numberAlike(file.parts, name);
   const CadBoundaries boundaries = boundariesOf(file.parts, options.names, report);
   output.write(Record::Names, boundaries.names);
-  const auto make = file.isTessellated ? trianglesOf : triangulate;
-  for (CadSolid& solid : make(file.parts, boundaries, options, report))
+  const auto write = [&](const auto& make, std::size_t begin, std::size_t end) {
+    const auto from = std::ptrdiff_t(begin);
+    const auto to = std::ptrdiff_t(end);
+    const CadBoundaries own{ boundaries.names,
+      { boundaries.ofFace.begin() + from, boundaries.ofFace.begin() + to } };
+    const std::vector<CadPart> parts(file.parts.begin() + from, file.parts.begin() + to);
+    for (CadSolid& solid : make(parts, own, options, report))
+    {
+      Packer packer;
+      solid.visit([&](const auto& value) { packer.add(value); });
+      output.write(Record::Solid, packer.bytes());
+    }
+  };
+  if (exact > 0 || triangles.empty()) // an error if there is nothing
   {
-    Packer packer;
-    solid.visit([&](const auto& value) { packer.add(value); });
-    output.write(Record::Solid, packer.bytes());
+    write(triangulate, 0, exact);
   }
+  write(trianglesOf, exact, file.parts.size());
   output.write(Record::End, std::vector<char>());
 }
 

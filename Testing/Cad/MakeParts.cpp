@@ -77,6 +77,15 @@ void Folder::brep(const std::string& file, const TopoDS_Shape& shape, const Fact
   facts_[file] = json(facts);
 }
 
+void Folder::damaged(const std::string& file, const TopoDS_Shape& shape, const Facts& facts,
+  const std::function<void()>& damage)
+{
+  check(facts, shape);
+  damage();
+  writeBrep(shape, path_ + "/" + file);
+  facts_[file] = json(facts);
+}
+
 void Folder::copy(
   const std::string& file, const std::string& to, const std::string& what, const std::string& by)
 {
@@ -130,7 +139,8 @@ int main(int count, char** arguments)
     std::filesystem::create_directories(arguments[1]);
     // OCCT writes files of parts to their place by an absolute path only.
     Folder folder(std::filesystem::absolute(arguments[1]).string());
-    for (const auto& parts : { NamedParts, Assemblies, Solids, Surfaces, Curved, Variants })
+    for (const auto& parts :
+      { NamedParts, Assemblies, Solids, Surfaces, Curved, Variants, Damaged })
     {
       make(folder, parts);
     }

@@ -3,6 +3,7 @@
 #include "Document.h"
 #include "Facts.h"
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -26,6 +27,9 @@ public:
   void iges(const std::string& file, const TopoDS_Shape& shape, IgesForm form, const Facts& facts,
     const std::string& unit = "MM");
   void brep(const std::string& file, const TopoDS_Shape& shape, const Facts& facts);
+  // The facts are those before the damage.
+  void damaged(const std::string& file, const TopoDS_Shape& shape, const Facts& facts,
+    const std::function<void()>& damage);
   // The same facts in other words: all of *what* replaced.
   void copy(
     const std::string& file, const std::string& to, const std::string& what, const std::string& by);
@@ -42,6 +46,7 @@ private:
 
 // One function a part; comments there say what it is for.
 using Part = void (*)(Folder&);
-extern const std::map<std::string, Part> NamedParts, Assemblies, Solids, Surfaces, Curved, Variants;
+extern const std::map<std::string, Part> NamedParts, Assemblies, Solids, Surfaces, Curved, Variants,
+  Damaged;
 
 }

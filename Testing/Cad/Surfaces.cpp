@@ -228,6 +228,33 @@ void touchingFaces(Folder& folder)
     IgesForm::Faces, facts);
 }
 
+// The rim of a box without a side lies on the edges of a cube: sewn together or apart, one solid and one sheet.
+void openBoxBesideCube(Folder& folder)
+{
+  const double side = 10, length = 5;
+  std::vector<TopoDS_Shape> faces;
+  for (const TopoDS_Face& face : facesOf(box(gp::Origin(), { side, side, side })))
+  {
+    faces.push_back(face);
+  }
+  const TopoDS_Shape open = box({ side, 0, 0 }, { side + length, side, side });
+  const TopoDS_Face lid = faceAt(open, { side, side / 2, side / 2 });
+  for (const TopoDS_Face& face : facesOf(open))
+  {
+    if (!face.IsSame(lid))
+    {
+      faces.push_back(face);
+    }
+  }
+  Facts facts;
+  facts.area = 7 * side * side + 4 * side * length;
+  facts.faces = 11;
+  facts.openEdges = 4;
+  facts.others = { { "closedVolume", side * side * side }, { "closedArea", 6 * side * side },
+    { "stillOpen", 4 } };
+  folder.brep("open_box_beside_cube.brep", compound(faces), facts);
+}
+
 void igesSphere(Folder& folder)
 {
   const double radius = 5;
@@ -244,6 +271,6 @@ void igesSphere(Folder& folder)
 const std::map<std::string, Part> Surfaces = { { "gaps", gaps }, { "six faces", sixFaces },
   { "sheet", sheet }, { "solid and sheet", solidAndSheet }, { "stray tube", strayTube },
   { "partition", partition }, { "IGES faces", igesFaces }, { "touching faces", touchingFaces },
-  { "IGES sphere", igesSphere } };
+  { "open box beside cube", openBoxBesideCube }, { "IGES sphere", igesSphere } };
 
 }

@@ -91,6 +91,93 @@ def test_tessellated():
             assert solid.sharp is None, "angles tell which edges are sharp"
 
 
+# An assembly in metres of two cuboids in millimetres: moved, and turned so that their x, y and z are y, z and x. Files may name
+# either representation first.
+ASSEMBLY = """#16=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.));
+#15=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((#16))REPRESENTATION_CONTEXT('',''));
+#200=PRODUCT('frame','','',(#3));
+#201=PRODUCT_DEFINITION_FORMATION('','',#200);
+#202=PRODUCT_DEFINITION('design','',#201,#6);
+#203=PRODUCT_DEFINITION_SHAPE('','',#202);
+#204=SHAPE_REPRESENTATION('',(#230,#240),#15);
+#205=SHAPE_DEFINITION_REPRESENTATION(#203,#204);
+#63=SHAPE_REPRESENTATION('',(#220),#14);
+#64=SHAPE_REPRESENTATION_RELATIONSHIP('','',#63,#61);
+#220=AXIS2_PLACEMENT_3D('',#221,$,$);
+#221=CARTESIAN_POINT('',(0.,0.,0.));
+#230=AXIS2_PLACEMENT_3D('',#231,$,$);
+#231=CARTESIAN_POINT('',(0.1,0.,0.));
+#232=NEXT_ASSEMBLY_USAGE_OCCURRENCE('1','left','',#202,#7,$);
+#233=PRODUCT_DEFINITION_SHAPE('','',#232);
+#234=ITEM_DEFINED_TRANSFORMATION('','',#220,#230);
+#235=(REPRESENTATION_RELATIONSHIP('','',#63,#204)REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#234)SHAPE_REPRESENTATION_RELATIONSHIP());
+#236=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#235,#233);
+#240=AXIS2_PLACEMENT_3D('',#241,#248,#249);
+#241=CARTESIAN_POINT('',(0.,0.2,0.));
+#242=NEXT_ASSEMBLY_USAGE_OCCURRENCE('2','right','',#202,#7,$);
+#243=PRODUCT_DEFINITION_SHAPE('','',#242);
+#244=ITEM_DEFINED_TRANSFORMATION('','',#240,#220);
+#245=(REPRESENTATION_RELATIONSHIP('','',#204,#63)REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#244)SHAPE_REPRESENTATION_RELATIONSHIP());
+#246=CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#245,#243);
+#248=DIRECTION('',(1.,0.,0.));
+#249=DIRECTION('',(0.,1.,0.));
+"""
+OWN = "#62=SHAPE_DEFINITION_REPRESENTATION(#8,#61);"
+
+
+def test_tessellated_in_an_assembly():
+    tessellated(more=ASSEMBLY)
+    path = SCRATCH / "tessellated.stp"
+    text = path.read_text(encoding="ascii")
+    path.write_text(text.replace(OWN, OWN.replace("#61", "#63")), encoding="ascii")
+    read = Content(path)
+    assert not read.said, read.said
+    assert [solid.name for solid in read.solids] == ["left", "right"], [solid.name for solid in read.solids]
+    for solid, centre in zip(read.solids, ((100.5, 1, 1.5), (1.5, 200.5, 1))):
+        assert np.isclose(solid.own_volume(), 6, rtol=1e-9) and solid.open_edges == 0, solid.own_volume()
+        assert np.allclose(solid.centre(), centre, rtol=0, atol=1e-9), solid.centre()
+
+
+def renumbered(path):
+    """The entities of a STEP file, for another one."""
+    entities = path.read_text(encoding="ascii").partition("DATA;\n")[2].partition("ENDSEC;")[0]
+    return re.sub(r"#(\d+)", lambda number: f"#{int(number.group(1)) + 90000}", entities)
+
+
+def with_more(text, entities):
+    return text.replace("ENDSEC;\nEND-ISO", entities + "ENDSEC;\nEND-ISO")
+
+
+def test_tessellated_beside_exact():
+    """A product of its own is read, or named if it cannot be; another form of the exact solid is not."""
+    exact = (FOLDER / "colours.step").read_text(encoding="ascii")
+    before = Content(FOLDER / "colours.step").solids[0]
+    tessellated()
+    entities = renumbered(SCRATCH / "tessellated.stp")
+    path = SCRATCH / "both.step"
+
+    def read(more):
+        path.write_text(with_more(exact, more), encoding="ascii")
+        content = Content(path)
+        assert not content.is_error, content.said
+        assert np.array_equal(content.solids[0].triangles, before.triangles)
+        return content
+
+    both = read(entities)
+    assert not both.said and [solid.name for solid in both.solids] == [before.name, "büchse"], both.said
+    assert np.isclose(both.solids[1].own_volume(), 6, rtol=1e-9) and both.solids[1].sharp is None
+    assert any("büchse" in finding and "Triangles instead" in finding for finding in both.findings()), both.findings()
+    damaged = read(entities.replace("(1,3,4)", "(1,3,9)"))
+    assert len(damaged.solids) == 1 and "left out" in damaged.said and "a corner that is not there" in damaged.said, damaged.said
+    linked = read(re.sub(r"(#90060=TESSELLATED_SOLID\([^$]*),\$\)", r"\1,#17)", entities))
+    assert len(linked.solids) == 1 and not linked.said, linked.said
+    left = read(entities + "#99999=MAPPED_ITEM('',$,$);\n")
+    assert len(left.solids) == 1 and "Left out: büchse" in left.said and "MAPPED_ITEM" in left.said, left.said
+    shape = re.search(r"SHAPE_DEFINITION_REPRESENTATION\(#\d+,(#\d+)\)", exact).group(1)
+    other = re.sub(r"#90062=[^;]*;", f"#90062=SHAPE_REPRESENTATION_RELATIONSHIP('','',{shape},#90061);", entities)
+    assert len(read(other).solids) == 1 and not read(other).said
+
+
 def test_tessellated_that_are_not_whole():
     read = tessellated(sides=5)
     assert "is open" in read.said and "4 of their edges" in read.said and read.solids[0].volume == 0, read.said
@@ -114,6 +201,24 @@ def test_parts_in_other_files():
     read = Content(SCRATCH / "several_files.step")
     assert read.is_error and "outside_block.stp" in read.said, read.said
     assert not Content(FOLDER / "several_files.step").said
+    both = SCRATCH / "some_in_other_files.step"
+    text = (FOLDER / "several_files.step").read_text(encoding="ascii")
+    both.write_text(with_more(text, renumbered(FOLDER / "colours.step")), encoding="ascii")
+    read = Content(both)
+    assert not read.is_error and "Parts are missing" in read.said and "outside_block.stp" in read.said, read.said
+    assert len(read.solids) == 1 and np.isclose(read.solids[0].volume, 6000, rtol=1e-9), read.solids
+
+
+def test_lost_faces_of_iges():
+    """A trimmed surface without its surface."""
+    text = (FOLDER / "faces.igs").read_text(encoding="ascii")
+    path = SCRATCH / "lost.igs"
+    path.write_text(re.sub(r"^144,\d+,", lambda found: "144,0,".ljust(len(found.group(0)), " "), text, count=1, flags=re.MULTILINE),
+                    encoding="ascii")
+    read = Content(path)
+    assert not read.is_error and "nothing could be made: there may be holes" in read.said, read.said
+    assert "damaged in the file" in read.said and sum(solid.open_edges for solid in read.solids) > 0, read.said
+    assert not Content(FOLDER / "faces.igs").said
 
 
 def test_damage_that_does_no_harm():
@@ -126,9 +231,29 @@ def test_damage_that_does_no_harm():
     assert read.solids[0].open_edges == 0
 
 
+def test_faces_without_triangles():
+    """As B-splines some have triangles; flat ones are made anew from their edges. What stays open is an error, unless asked for."""
+    read = Content(FOLDER / "countersunk_10_0.brep")
+    assert not read.said and read.solids[0].open_edges == 0, read.said
+    read = Content(FOLDER / "tangled_flat_10_0.brep")
+    found = [finding for finding in read.findings() if "Made flat" in finding]
+    assert not read.said and len(found) == 1 and "face 6 of tangled_flat_10_0 at (15, 10, 10)" in found[0], read.findings()
+    solid, = read.solids
+    assert solid.open_edges == 0 and np.allclose([solid.volume, solid.own_volume()], 6000, rtol=1e-9), solid.own_volume()
+    read = Content(FOLDER / "tangled_round.brep")
+    assert read.is_error and "no triangles can be made: number 1 of tangled_round (6 faces) at (-2.5, 2.5, 10)" in read.said, read.said
+    assert "Keep Damaged Faces" in read.said and "45 edges stay open" in read.said, read.said
+    read = Content(FOLDER / "tangled_round.brep", KeepDamagedFaces=True)
+    assert not read.is_error and "45 of their edges are open" in read.said and read.solids[0].open_edges == 45, read.said
+
+
 def test_gaps_and_sheets():
     read = Content(FOLDER / "gaps.step")
     assert "set a larger Heal Tolerance" in read.said and "up to 0.0001 are" in read.said, read.said
+    read = Content(FOLDER / "open_box_beside_cube.brep")
+    assert not any("Divided" in finding for finding in read.findings()), read.findings()
+    assert [solid.open_edges for solid in read.solids] == [0, 4] and read.solids[1].name.endswith("_sheet")
+    assert np.isclose(read.solids[0].volume, 1000, rtol=1e-9)
     for file in "sheet.step", "solid_and_sheet.step":
         read = Content(FOLDER / file)
         assert "is open" in read.said and "Heal Tolerance" not in read.said and "sheet" in read.said, read.said

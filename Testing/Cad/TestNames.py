@@ -110,5 +110,15 @@ def test_product_that_holds_more():
             assert read.solids[0].open_edges == 0 and abs(read.solids[0].volume - 6000) < 1e-6
 
 
+def test_counted_instances():
+    """Numbers that an assembly gives to instances of products without a name are no names."""
+    text = (FOLDER / "bolted_plates.step").read_text(encoding="ascii")
+    text = re.sub(r"PRODUCT\('\w+','\w+'", "PRODUCT('Open CASCADE STEP translator 6.3 1','Open CASCADE STEP translator 6.3 1'", text)
+    text, count = re.subn(r"(NEXT_ASSEMBLY_USAGE_OCCURRENCE\('\d+',)'\w+'", r"\1''", text)
+    read = solids("joint.step", text.encode("ascii"))
+    assert count == 5 and [solid.name for solid in read.solids] == [f"joint_{n}" for n in (1, 2, 3, 4)], \
+        [solid.name for solid in read.solids]
+
+
 if __name__ == "__main__":
     run(globals())

@@ -2,12 +2,13 @@
 
 import json
 import pathlib
-import sys
 
 import numpy as np
 from cartesianmesher.vtkCartesianMesherFilters import vtkCADReader
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+
+from alltests import run  # noqa: F401 (for the tests of CAD files)
 
 UNITS = {"m": 1000.0, "cm": 10.0, "mm": 1.0, "in": 25.4, "ft": 304.8}  # millimetres
 
@@ -109,16 +110,3 @@ class Content:
 
 def facts_of(folder):
     return json.loads((pathlib.Path(folder) / "facts.json").read_text(encoding="utf-8"))
-
-
-def run(functions):
-    """Those that are tests; all of them, whatever fails."""
-    failures = 0
-    for name, test in list(functions.items()):
-        if name.startswith("test_"):
-            try:
-                test()
-            except AssertionError as failure:
-                failures += 1
-                print(f"{name}: {failure}")
-    sys.exit(failures > 0)

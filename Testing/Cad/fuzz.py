@@ -26,7 +26,7 @@ def limit():
 
 def outcome(program, path):
     """How it ended, and its message."""
-    options = ["1", "0", "10", "0", "0", "1", "1"]  # in millimetres, glued, merged
+    options = ["1", "0", "10", "0", "0", "1", "1", "0", "0"]  # in millimetres, glued, merged
     try:
         done = subprocess.run([program, path, *options], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                               timeout=SECONDS, preexec_fn=limit, check=False)
@@ -35,7 +35,7 @@ def outcome(program, path):
     if done.returncode < 0:
         return f"signal {-done.returncode}", ""
     answer = records(done.stdout)
-    if b"Z" in answer:
+    if b"Z" in answer and b"S" in answer:
         return "read", ""
     return ("refused", text(answer[b"E"], path)) if b"E" in answer else ("silent", "")
 

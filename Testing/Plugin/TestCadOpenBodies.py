@@ -11,6 +11,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from pipeline import Messages, error_code, output
 
+sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "Testing" / "Cad"))
+from alltests import run  # noqa: E402
+
 PARTS = pathlib.Path(sys.argv[4])
 LEFT_OUT = "Open bodies enclose nothing, and are left out beside solids"
 
@@ -90,17 +93,5 @@ def test_size_of_domain():
     assert "tube" not in " ".join(made.areas) and LEFT_OUT in made.said, made.said
 
 
-def main():
-    failures = 0
-    for name, test in list(globals().items()):
-        if name.startswith("test_"):
-            try:
-                test()
-            except AssertionError as failure:
-                failures += 1
-                print(f"{name}: {failure}")
-    sys.exit(failures > 0)
-
-
 if __name__ == "__main__":
-    main()
+    run(globals())

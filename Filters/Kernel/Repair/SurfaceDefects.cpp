@@ -252,6 +252,10 @@ private:
       }
       if (pair.contact == Contact::Crossing)
       {
+        if (repair_.areTouching(pair))
+        {
+          continue; // an edge lies on a face, or beside it by a rounding
+        }
         std::array<Vector, 2> ends =
           sharedSegment(given_.corners(pair.first), given_.corners(pair.second));
         for (Vector& p : ends)

@@ -141,6 +141,11 @@ std::size_t SurfaceRepair::leaks() const
     std::count_if(holes.begin(), holes.end(), [](const Hole& hole) { return hole.leak; }));
 }
 
+bool SurfaceRepair::areTouching(const TrianglePair& pair) const
+{
+  return !touching.empty() && touching[pair.first] != 0 && touching[pair.second] != 0;
+}
+
 SurfaceRepair closeAndOrient(
   Surface& surface, const Meshlines& planes, const RepairSpec& spec, Execution& execution)
 {
@@ -180,6 +185,7 @@ SurfaceRepair repair(
   UnitedBodies united = uniteBodies(surface, result.sheets, spec.meshed, execution);
   result.crossing = std::move(united.before);
   result.refused = std::move(united.refused);
+  result.touching = std::move(united.touching);
   if (result.crossing && !result.crossing->byParity.empty())
   {
     findUnoriented(surface, SurfaceEdges(surface, execution));

@@ -28,6 +28,10 @@ struct SurfaceRepair
   std::shared_ptr<const Surface>
     crossing;                  // what the lists above are of; none: the surface, as it is now
   std::vector<Vector> refused; // where bodies cross that could not be united, levels
+  std::vector<std::uint8_t> touching; // UnitedBodies::touching
+
+  // Whether two that share a line belong to bodies that were united and only touch there.
+  bool areTouching(const TrianglePair& pair) const;
 
   std::size_t leaks() const;
 };

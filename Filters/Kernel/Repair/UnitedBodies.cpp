@@ -144,7 +144,24 @@ struct Trial
   bool isUnited = false;
   std::optional<Vector> crossing; // where what is beside triangles is not sure, levels
   bool isGivenUp = false;         // another attempt would take as long
+  std::vector<std::uint32_t>
+    inside = {}; // triangles, by their given numbers, of which something is inside a body
 };
+
+// Of a surface's triangles by their given numbers, those of some others.
+std::vector<std::uint32_t> givenOf(
+  const Surface& surface, const std::vector<std::uint32_t>& triangles)
+{
+  std::vector<std::uint32_t> given;
+  for (const std::uint32_t t : triangles)
+  {
+    if (t < surface.given.size())
+    {
+      given.push_back(surface.given[t]);
+    }
+  }
+  return given;
+}
 
 Trial tryToUnite(
   Surface& surface, const Placing& placing, const Bodies& bodies, Execution& execution)
@@ -163,13 +180,27 @@ Trial tryToUnite(
     return { false, middleOf(surface, 0), false };
   }
   std::vector<std::uint32_t> crossing;
+  std::vector<std::uint32_t> inside;
   Surface united = arranged;
-  if (unite(united, bodies, crossing, execution))
+  if (unite(united, bodies, crossing, execution, &inside))
   {
     surface = std::move(united);
-    return { true, std::nullopt, false };
+    return { true, std::nullopt, false, givenOf(arranged, inside) };
   }
   return crossing.empty() ? Trial{} : Trial{ false, middleOf(arranged, crossing[0]), false };
+}
+
+// A mark for each triangle of bodies that is not among some, which are given by the user's numbers.
+std::vector<std::uint8_t> allBut(std::vector<std::uint32_t> some, const Surface& surface)
+{
+  std::sort(some.begin(), some.end());
+  std::vector<std::uint8_t> marks(surface.triangles.size(), 1);
+  for (std::size_t t = 0; t < surface.given.size(); ++t)
+  {
+    const bool isOne = std::binary_search(some.begin(), some.end(), surface.given[t]);
+    marks[t] = isOne || surface.isOfSheet(t) ? 0 : 1;
+  }
+  return marks;
 }
 
 // Tries in other ways what was refused, until one succeeds.
@@ -214,9 +245,10 @@ public:
 
   // Replaces the surface by one of its groups united, and of the others; false where there are only such. `whole`: of
   // an attempt to unite all groups at once.
-  bool run(Surface& result, const std::optional<Trial>& whole, std::vector<Vector>& refused,
+  bool run(Surface& result, const std::optional<Trial>& whole, UnitedBodies& united,
     MeshedSide meshed, Execution& execution)
   {
+    std::vector<std::uint32_t> inside;
     SurfaceJoin join(surface_);
     std::vector<std::uint8_t> isDone(surface_.vertices.size()); // by the groups' roots
     const auto groups = trianglesOfGroups();
@@ -232,9 +264,10 @@ public:
       }
       if (trial.crossing)
       {
-        refused.push_back(*trial.crossing);
+        united.refused.push_back(*trial.crossing);
       }
       isDone[root] = trial.isUnited ? 1 : 0;
+      inside.insert(inside.end(), trial.inside.begin(), trial.inside.end());
       for (std::size_t t = 0; trial.isUnited && t < part.triangles.size(); ++t)
       {
         join.add(part, t);
@@ -244,12 +277,14 @@ public:
     {
       return false;
     }
+    united.touching = allBut(inside, surface_);
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
     {
       const auto& vertices = surface_.triangles[t];
       if (!namesAVertexTwice(vertices) && isDone[groups_.find(vertices[0])] == 0)
       {
         join.add(surface_, t);
+        united.touching[t] = 0;
       }
     }
     result = join.finish();
@@ -346,12 +381,11 @@ UnitedBodies uniteBodies(Surface& surface, const std::vector<DroppedTriangle>& s
     whole = tryToUnite(surface, placingOf(surface), { FirstRegion, {}, meshed }, execution);
     if (whole->isUnited)
     {
-      return { before, {} };
+      return { before, {}, allBut(whole->inside, *before) };
     }
   }
   UnitedBodies united;
-  if (GroupUniter(*before, flat, sheets, execution)
-        .run(surface, whole, united.refused, meshed, execution))
+  if (GroupUniter(*before, flat, sheets, execution).run(surface, whole, united, meshed, execution))
   {
     united.before = before;
   }

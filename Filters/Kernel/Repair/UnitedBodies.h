@@ -16,6 +16,8 @@ struct UnitedBodies
 {
   std::shared_ptr<const Surface> before; // none: nothing was united
   std::vector<Vector> refused;           // where groups that stay as they are cross, levels
+  std::vector<std::uint8_t>
+    touching; // of each triangle of `before`: it was united, and nothing of it is inside another body
 };
 
 // `surface`: closed and oriented as far as it can be; triangles that close holes are the last ones. `sheets`: their

@@ -24,7 +24,8 @@ public:
   {
   }
 
-  Surface run(std::vector<std::uint32_t>& crossing, Execution& execution)
+  Surface run(
+    std::vector<std::uint32_t>& crossing, std::vector<std::uint32_t>* inside, Execution& execution)
   {
     Surface result;
     result.lattice = surface_.lattice;
@@ -35,10 +36,13 @@ public:
     const Spaces spaces = findSpaces(surface_, pieces, last, execution);
     for (std::size_t p = 0; p < pieces.size(); ++p)
     {
-      addWall(pieces[p],
-        { regionOf(spaces.turns[spaces.beside[p][0]]),
-          regionOf(spaces.turns[spaces.beside[p][1]]) },
-        result);
+      const auto& behind = spaces.turns[spaces.beside[p][0]];
+      const auto& front = spaces.turns[spaces.beside[p][1]];
+      addWall(pieces[p], { regionOf(behind), regionOf(front) }, result);
+      if (inside && behind != front && regionOf(behind) == regionOf(front))
+      {
+        inside->insert(inside->end(), pieces[p].triangles.begin(), pieces[p].triangles.end());
+      }
     }
     crossing.clear();
     for (const std::uint32_t p : spaces.contradictions)
@@ -223,9 +227,9 @@ void sortByPlace(Surface& surface)
 }
 
 Surface wallsOf(const Surface& arranged, const Bodies& bodies, std::vector<std::uint32_t>& crossing,
-  Execution& execution)
+  Execution& execution, std::vector<std::uint32_t>* inside)
 {
-  Surface walls = WallFinder(arranged, bodies).run(crossing, execution);
+  Surface walls = WallFinder(arranged, bodies).run(crossing, inside, execution);
   walls.rounding = arranged.rounding;
   sortByPlace(walls);
   if (std::find(walls.ofSheet.begin(), walls.ofSheet.end(), 1) != walls.ofSheet.end())
@@ -236,9 +240,9 @@ Surface wallsOf(const Surface& arranged, const Bodies& bodies, std::vector<std::
 }
 
 bool unite(Surface& surface, const Bodies& bodies, std::vector<std::uint32_t>& crossing,
-  Execution& execution)
+  Execution& execution, std::vector<std::uint32_t>* inside)
 {
-  Surface walls = wallsOf(surface, bodies, crossing, execution);
+  Surface walls = wallsOf(surface, bodies, crossing, execution, inside);
   if (!crossing.empty() || walls.triangles.empty())
   {
     return false;

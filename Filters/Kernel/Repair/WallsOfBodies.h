@@ -34,14 +34,14 @@ constexpr std::int32_t regionOfSheets(std::int32_t region, std::int32_t regions)
 // united. Boundary indices of the result are those of its walls. Of triangles with the same space on both sides,
 // those of sheets that are in their region get sides (ThinSheets.h), or, where it is not meshed, those outside;
 // others are left out. `crossing`: triangles of `arranged` that still cross others, so that what is beside them is
-// not sure.
+// not sure. `inside`: those left out inside a body, not between two that touch.
 Surface wallsOf(const Surface& arranged, const Bodies& bodies, std::vector<std::uint32_t>& crossing,
-  Execution& execution);
+  Execution& execution, std::vector<std::uint32_t>* inside = nullptr);
 
 // Unites bodies of one region, arranged likewise: removes triangles inside another body, or between two that touch.
 // Does nothing and returns false where some still cross (`crossing`), or nothing is left.
 bool unite(Surface& surface, const Bodies& bodies, std::vector<std::uint32_t>& crossing,
-  Execution& execution);
+  Execution& execution, std::vector<std::uint32_t>* inside = nullptr);
 
 // In Surface::given, of a triangle that closes a hole.
 constexpr std::uint32_t ClosesAHole = ~0u;

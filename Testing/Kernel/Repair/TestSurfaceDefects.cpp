@@ -201,6 +201,66 @@ TEST(SurfaceDefects, Intersections)
   EXPECT_EQ(std::count(text.begin(), text.end(), '('), 5);
 }
 
+Soup inSinglePrecision(const Soup& soup)
+{
+  return soup.each([](const Vector& p) {
+    return Vector{ double(float(p[0])), double(float(p[1])), double(float(p[2])) };
+  });
+}
+
+// Two bodies on either side of the plane z = 0: with an edge of one on a face of the other, with two corners nearly in
+// one place, and with faces that lie on each other in part.
+std::array<Soup, 2> touchingBodies(int kind)
+{
+  if (kind == 0)
+  {
+    const double half = 0.35;
+    return { box({ -1, -1, -0.5 }, { 1, 1, 0 }),
+      box({ -half, -0.7, -half }, { half, 0.7, half })
+        .turned(1, 45)
+        .moved({ 0.1, 0, half * std::sqrt(2) }) };
+  }
+  if (kind == 1)
+  {
+    const Soup below =
+      tetrahedron({ Vector{ 0.0766524, 0.8413099, 0 }, Vector{ 0.0152397, -0.1574662, 0 },
+        Vector{ 0.3162846, -0.069862, 0 }, Vector{ -0.8098497, -0.2421195, -0.3950971 } });
+    const Soup above =
+      tetrahedron({ Vector{ 0.0766584, 0.8413478, 0 }, Vector{ -0.121379, -0.8584462, 0 },
+        Vector{ -0.773944, -0.4751688, 0.3756258 }, Vector{ 0.0485714, -0.7876475, 0.1974652 } });
+    return { below, above };
+  }
+  return { box({ -1, -1, -0.5 }, { 1, 1, 0 }),
+    box({ -0.3, -0.4, 0 }, { 0.5, 1.3, 0.7 }).turned(2, 20) };
+}
+
+// However they are turned and rounded, so that in truth they cross by less than that, or are apart.
+TEST(SurfaceDefects, BodiesThatOnlyTouchDoNotIntersect)
+{
+  for (int kind = 0; kind < 3; ++kind)
+  {
+    for (const double size : { 1.0, 0.01, 300.0 })
+    {
+      for (int way = 0; way < 8; ++way)
+      {
+        SCOPED_TRACE(testing::Message() << kind << " of " << size << " way " << way);
+        const auto prepared = [&](double sunk) {
+          const std::array<Soup, 2> bodies = touchingBodies(kind);
+          Soup soup = unmarked(Soup(bodies[0]).add(bodies[1].moved({ 0, 0, -sunk })));
+          soup = (way % 4 == 0 ? soup
+              : way % 4 == 1   ? soup.turned(2, 17)
+              : way % 4 == 2   ? soup.turned(0, 30).turned(1, 45)
+                               : soup.turned())
+                   .scaled(size);
+          return defectsOf(way < 4 ? soup : inSinglePrecision(soup), cellsAlongLongest(soup, 10));
+        };
+        EXPECT_EQ(countsOf(prepared(0))[DefectKind::Intersection], 0U);
+        EXPECT_GE(countsOf(prepared(0.01))[DefectKind::Intersection], 4U); // now they cross
+      }
+    }
+  }
+}
+
 TEST(SurfaceDefects, SmallComponents)
 {
   const Soup soup = unmarked(
