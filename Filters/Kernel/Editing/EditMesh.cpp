@@ -414,27 +414,15 @@ void EditMesh::setCorners(std::uint32_t f, const std::uint32_t* corners, std::si
   EditFace& face = changeFace(f);
   const ItemList old = face.corners;
   face.corners = store(corners, size);
-  const auto isIn = [&](std::uint32_t n, const ItemList& list) {
-    const Items items = itemsOf(list);
-    return std::find(items.begin(), items.end(), n) != items.end();
-  };
-  for (std::uint32_t i = 0; i < old.size; ++i)
-  {
-    if (const std::uint32_t n = itemsOf(old)[i]; !isIn(n, face.corners))
-    {
-      EditNode& node = changeNode(n);
-      node.faces = without(node.faces, f);
-      node.gone = node.faces.size == 0;
-    }
-  }
-  for (std::uint32_t i = 0; i < face.corners.size; ++i)
-  {
-    if (const std::uint32_t n = itemsOf(face.corners)[i]; !isIn(n, old))
-    {
-      EditNode& node = changeNode(n);
-      node.faces = with(node.faces, f);
-    }
-  }
+  forEachBeyond(old, face.corners, [&](std::uint32_t n) {
+    EditNode& node = changeNode(n);
+    node.faces = without(node.faces, f);
+    node.gone = node.faces.size == 0;
+  });
+  forEachBeyond(face.corners, old, [&](std::uint32_t n) {
+    EditNode& node = changeNode(n);
+    node.faces = with(node.faces, f);
+  });
   unsettled.faces.add(f);
   for (const std::uint32_t c : { face.below, face.above })
   {

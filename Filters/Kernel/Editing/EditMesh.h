@@ -567,6 +567,35 @@ private:
   ItemList store(const std::uint32_t* items, std::size_t size);
   ItemList without(const ItemList& list, std::uint32_t item);
   ItemList with(const ItemList& list, std::uint32_t item);
+
+  // Calls visit(item) for those of a list that another does not have. Most edits change a few of many corners: what both
+  // begin and end with is passed over, or the time would grow with the square of their number.
+  template <class Visitor>
+  void forEachBeyond(const ItemList& list, const ItemList& other, Visitor&& visit) const
+  {
+    const std::size_t both = std::min(list.size, other.size);
+    std::size_t first = 0;
+    while (first < both && itemsOf(list)[first] == itemsOf(other)[first])
+    {
+      ++first;
+    }
+    std::size_t last = 0; // from the ends
+    while (first + last < both &&
+      itemsOf(list)[list.size - 1 - last] == itemsOf(other)[other.size - 1 - last])
+    {
+      ++last;
+    }
+    for (std::size_t i = first; i < list.size - last; ++i)
+    {
+      const Items others = itemsOf(other); // anew: visits may move lists
+      if (const std::uint32_t n = itemsOf(list)[i];
+          std::find(others.begin(), others.end(), n) == others.end())
+      {
+        visit(n);
+      }
+    }
+  }
+
   void moveLists(std::uint32_t c, RawVector<std::uint32_t>& to, MarkedSet& nodes, MarkedSet& faces);
   void moveList(ItemList& list, RawVector<std::uint32_t>& to) const;
 

@@ -16,7 +16,9 @@ namespace
 
 constexpr double LeastGainOfMore = 1e-3; // of an edit that follows another
 constexpr int MostRounds = 8;            // of those
-constexpr double PartToMerge = 0.6;      // of its box: smaller parts of a cut go to a neighbour
+constexpr std::size_t MostTries =
+  128; // of nodes of a face in all of these: walls with more are rims of hundreds of points
+constexpr double PartToMerge = 0.6; // of its box: smaller parts of a cut go to a neighbour
 constexpr std::size_t NeighboursOfPart = 3;
 constexpr double SmallWall = 0.15; // of a box's side: what is flattened
 constexpr std::size_t MostFaces = 128;
@@ -321,13 +323,14 @@ bool ProposalTrials::joinFacesOf(std::uint32_t c, const Faces& which)
 
 void ProposalTrials::dissolveNodes(std::uint32_t f)
 {
-  for (int round = 0; round < MostRounds && !mesh_.face(f).gone && dissolveNode(f); ++round)
+  std::size_t tries = 0;
+  for (int round = 0; round < MostRounds && !mesh_.face(f).gone && dissolveNode(f, tries); ++round)
   {
   }
 }
 
 // A node that only lies between two others, as seen from all faces, goes where that gains.
-bool ProposalTrials::dissolveNode(std::uint32_t f)
+bool ProposalTrials::dissolveNode(std::uint32_t f, std::size_t& tries)
 {
   for (std::size_t i = 0; i < mesh_.face(f).corners.size; ++i)
   {
@@ -338,6 +341,10 @@ bool ProposalTrials::dissolveNode(std::uint32_t f)
     if (!isBetween(mesh_, n, p, q))
     {
       continue;
+    }
+    if (++tries > MostTries)
+    {
+      return false;
     }
     const std::uint32_t to = mesh_.node(p).atWall || !mesh_.node(q).atWall ? p : q;
     if (alsoMake(

@@ -57,7 +57,7 @@ private:
   using Faces = FixedList<std::uint32_t, 128>;
   bool joinFacesOf(std::uint32_t c, const Faces& which);
   void dissolveNodes(std::uint32_t f);
-  bool dissolveNode(std::uint32_t f);
+  bool dissolveNode(std::uint32_t f, std::size_t& tries);
 
   EditMesh& mesh_;
   const EditRules& rules_;
