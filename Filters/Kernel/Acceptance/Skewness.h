@@ -14,16 +14,6 @@ namespace cartesian
 constexpr double ShareOfDistance = 0.2;
 constexpr double ShareOfHeight = 0.4;
 
-struct FaceSkewness
-{
-  double miss;   // the distance
-  double length; // of the vector along which the reach is measured
-  double reach;  // times that length
-
-  double value() const { return miss * length / std::max(reach, Tiny); }
-  double reachAlone() const { return reach / std::max(length, Tiny); }
-};
-
 // How far the corners reach from the centre along `aside`, times the length of `aside`; at least `least`.
 template <class Corner>
 double reachAlong(
@@ -37,27 +27,16 @@ double reachAlong(
   return reach;
 }
 
-inline double reachAlong(const Ring& ring, const Vector& centre, const Vector& aside, double least)
-{
-  return reachAlong(
-    ring.size, [&](std::size_t i) { return ring[i]; }, centre, aside, least);
-}
-
-// `aside`: from where the line meets the plane to the centre; `least`: the reach, without the length of `aside`. That
-// is not made 1: rounding would move nodes.
-inline FaceSkewness skewnessOf(
-  const Ring& ring, const Vector& centre, const Vector& aside, double least)
-{
-  const double miss = norm(aside);
-  return { miss, miss, reachAlong(ring, centre, aside, least * miss) };
-}
-
-// Whether it is larger than `limit`. Looks at the corners only where it has to.
+// Whether it is larger than `limit`; `aside`: from where the line meets the plane to the centre; `least`: the reach, without
+// the length of `aside`. Looks at the corners only where it has to.
 inline bool isSkewed(
   const Ring& ring, const Vector& centre, const Vector& aside, double least, double limit)
 {
   const double miss = norm(aside);
-  return !(miss <= limit * least) && miss * miss > limit * reachAlong(ring, centre, aside, 0);
+  return !(miss <= limit * least) &&
+    miss * miss > limit *
+      reachAlong(
+        ring.size, [&](std::size_t i) { return ring[i]; }, centre, aside, 0);
 }
 
 }

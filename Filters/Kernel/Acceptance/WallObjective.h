@@ -26,8 +26,7 @@ struct Wanted
   static constexpr double Warp = 0.1;  // 1 - a face's area by the sum of its triangles'
   static constexpr double Turn =
     0.034; // 1 - the cosine between a wall and what it stands for: 15 degrees
-  static constexpr double Share = 0.35;           // of its box's volume
-  static constexpr double ShareByRatio = 7.0 / 6; // ... by Merge Ratio
+  static constexpr double ShareByRatio = 7.0 / 6; // of its box's volume, by Merge Ratio
   static constexpr double LargeShare = 1.2;
   static constexpr double Determinant = 0.04;
   static constexpr double EdgeSlope = 0.5; // square of a tangent (FaceCost::addLayers): 45 degrees

@@ -457,7 +457,7 @@ bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, 
   {
     return liesOnLine(mesh, u, v) || (edge.isWall && staysInWalls(mesh, u, v));
   }
-  if (!edge.isWall || (from.kind == NodeKind::Corner && !rules.mayLoseFeatures))
+  if (!edge.isWall)
   {
     return false;
   }
@@ -483,7 +483,6 @@ bool mayJoin(
   {
     const double edge = mesh.cell(mesh.face(f).below).edge;
     charge += rules.spec.sharpEdge * sharpness * sharedLength(mesh, f, g) / edge;
-    return rules.mayLoseFeatures;
   }
   return true;
 }

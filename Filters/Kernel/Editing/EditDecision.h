@@ -20,11 +20,10 @@ constexpr std::size_t MostFacesChanged = 512;
 struct EditRules
 {
   ObjectiveSpec spec;
-  bool mayLoseFeatures = true; // corners and sharp edges, for their charge
-  bool mayChangeWalls = true;  // false: what is on the surface stays (Exact Fit)
-  double mostMerged = 2;       // of its box: of the smaller of two cells that merge; 0: none do
-  bool mayCut = true;          // cells, and join walls of failing ones at any angle
-  bool mayTrade = true;        // what solvers refuse for what only fails (Refusals.h)
+  bool mayChangeWalls = true; // false: what is on the surface stays (Exact Fit)
+  double mostMerged = 2;      // of its box: of the smaller of two cells that merge; 0: none do
+  bool mayCut = true;         // cells, and join walls of failing ones at any angle
+  bool mayTrade = true;       // what solvers refuse for what only fails (Refusals.h)
 };
 
 // What edits since the last commit have to gain (gainOf), or more.

@@ -106,7 +106,7 @@ public:
     }
   }
 
-  LoopCounts run(const std::function<void()>& poll)
+  std::vector<MadeEdit> run(const std::function<void()>& poll)
   {
     trials_.setPoll(poll);
     for (const std::uint32_t c : task_.cells)
@@ -122,13 +122,13 @@ public:
       {
         continue;
       }
-      if (++counts_.items % ItemsAPoll == 0)
+      if (++items_ % ItemsAPoll == 0)
       {
         poll();
       }
       improve(item);
     }
-    return counts_;
+    return std::move(edits_);
   }
 
 private:
@@ -232,7 +232,6 @@ private:
       {
         continue;
       }
-      ++counts_.tried[std::size_t(proposal.kind)];
       const double enough = makesLargeCell(proposal) ? -NoGain : spec_.search.enough * item.cost;
       const double gain = trials_.gainOrMake(proposal, std::max(least, gained), enough, isMade);
       if (gain > gained)
@@ -296,7 +295,6 @@ private:
   // What it changed is looked at again.
   void finish(const Proposal& proposal)
   {
-    ++counts_.made[std::size_t(proposal.kind)];
     note(proposal);
     passOnDebts(mesh_);
     collectChanged();
@@ -322,16 +320,16 @@ private:
     switch (proposal.kind)
     {
       case EditKind::Remove:
-        counts_.edits.push_back(madeEdit(mesh_, proposal.kind, proposal.a));
-        counts_.edits.back().reason =
+        edits_.push_back(madeEdit(mesh_, proposal.kind, proposal.a));
+        edits_.back().reason =
           wasRefused(mesh_, proposal.a) ? RemovalReason::Refused : RemovalReason::Small;
         break;
       case EditKind::Merge:
       case EditKind::Cut:
-        counts_.edits.push_back(madeEdit(mesh_, proposal.kind, proposal.a));
+        edits_.push_back(madeEdit(mesh_, proposal.kind, proposal.a));
         break;
       case EditKind::Flatten:
-        counts_.edits.push_back(madeEdit(mesh_, proposal.kind, mesh_.face(proposal.a).below));
+        edits_.push_back(madeEdit(mesh_, proposal.kind, mesh_.face(proposal.a).below));
         break;
       default:
         break;
@@ -413,7 +411,8 @@ private:
   FailedAt failedAt_;
   Zeroes<std::uint32_t> versions_; // of cells
   Changed changed_;
-  LoopCounts counts_;
+  std::vector<MadeEdit> edits_;
+  std::size_t items_ = 0; // looked at
 };
 
 }
@@ -436,7 +435,8 @@ bool wasRefused(const EditMesh& mesh, std::uint32_t c)
   });
 }
 
-LoopCounts improve(const ZoneTask& task, const LoopSpec& spec, const std::function<void()>& poll)
+std::vector<MadeEdit> improve(
+  const ZoneTask& task, const LoopSpec& spec, const std::function<void()>& poll)
 {
   return EditLoop(task, spec).run(poll);
 }

@@ -41,15 +41,8 @@ MadeEdit madeEdit(const EditMesh& mesh, EditKind kind, std::uint32_t c);
 // Whether a face of a cell failed the limits of solvers before the edits since the last commit, which removed the cell.
 bool wasRefused(const EditMesh& mesh, std::uint32_t c);
 
-struct LoopCounts
-{
-  std::vector<MadeEdit> edits;
-  std::size_t items = 0;
-  std::array<std::size_t, 8> tried{}; // by EditKind
-  std::array<std::size_t, 8> made{};
-};
-
 // Costs are of the same objective (costAll). `poll`: called now and then; may throw.
-LoopCounts improve(const ZoneTask& task, const LoopSpec& spec, const std::function<void()>& poll);
+std::vector<MadeEdit> improve(
+  const ZoneTask& task, const LoopSpec& spec, const std::function<void()>& poll);
 
 }

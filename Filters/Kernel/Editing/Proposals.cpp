@@ -329,13 +329,13 @@ void arrange(Proposals& proposals)
 
 }
 
-Neighbours largestNeighbours(const EditMesh& mesh, std::uint32_t c, std::uint32_t except)
+Neighbours largestNeighbours(const EditMesh& mesh, std::uint32_t c)
 {
   FixedList<std::pair<double, std::uint32_t>, 64> found;
   for (const std::uint32_t f : mesh.facesOf(c))
   {
     const std::uint32_t other = mesh.beyond(f, c);
-    if (other == None || other == except || !mesh.isFree(other))
+    if (other == None || !mesh.isFree(other))
     {
       continue;
     }

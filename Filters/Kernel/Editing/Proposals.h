@@ -53,9 +53,9 @@ void proposeForFace(
 void proposeForCell(
   const EditMesh& mesh, const SearchSpec& search, std::uint32_t c, Proposals& proposals);
 
-// The free cells beside a cell and not `except`, those with the largest area between them first.
+// The free cells beside a cell, those with the largest area between them first.
 using Neighbours = FixedList<std::uint32_t, 64>;
-Neighbours largestNeighbours(const EditMesh& mesh, std::uint32_t c, std::uint32_t except = None);
+Neighbours largestNeighbours(const EditMesh& mesh, std::uint32_t c);
 
 // Whether a cell may be removed as far as its place goes: at a wall, at no other region; the body is not as thin there, and
 // its boundary's own ratio allows it.

@@ -140,9 +140,9 @@ void improveFailing(const ZoneTask& task, const Loops& loops, const std::functio
     const ObjectiveSpec& thorough = loops.thorough.rules.spec;
     const ObjectiveSpec& last = loops.last.rules.spec;
     weighAnew(task, usual, thorough);
-    append(edits, improve(task, loops.thorough, poll).edits);
+    append(edits, improve(task, loops.thorough, poll));
     weighAnew(task, thorough, last);
-    append(edits, improve(task, loops.last, poll).edits);
+    append(edits, improve(task, loops.last, poll));
     weighAnew(task, last, usual);
   }
 }
@@ -200,7 +200,7 @@ void improveMade(const ZoneTask& task, const Loops& loops, const std::function<v
   if (!poor.empty())
   {
     const ZoneTask again{ task.mesh, poor, task.zone, task.isOver };
-    append(edits, improve(again, loops.general, poll).edits);
+    append(edits, improve(again, loops.general, poll));
     improveFailing(again, loops, poll, edits);
   }
   const std::vector<std::uint32_t> all(mesh.madeCells().begin(), mesh.madeCells().end());
@@ -287,7 +287,7 @@ std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, E
       {
         takeSmallCells(task, general.rules, false, ofZone); // what edges could not take
       }
-      append(ofZone, improve(task, general, poll).edits);
+      append(ofZone, improve(task, general, poll));
       improveFailing(task, loops, poll, ofZone);
       takeSmallCells(task, general.rules, spec.removesCells, ofZone);
       const std::lock_guard<std::mutex> lock(mutex);

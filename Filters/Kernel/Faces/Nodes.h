@@ -31,13 +31,6 @@ inline VertexNode vertexAt(const Boxes& boxes, std::uint32_t box, unsigned corne
   return { low[2] + (corner >> 2 & 1), low[1] + (corner >> 1 & 1), low[0] + (corner & 1), None };
 }
 
-// A hexahedron with a corner that moved (Editing/ShortEdges.h).
-struct WarpedHexahedron
-{
-  std::uint32_t box;
-  double volumeFraction; // of the box
-};
-
 // First the points of patches; then grid nodes: corners of sides, nodes that hang on their borders and
 // corners of divided hexahedra; then the nodes that edits add (Editing).
 struct Nodes
@@ -52,7 +45,6 @@ struct Nodes
   std::vector<std::array<std::uint32_t, 8>> ofDivided; // corners of Sides::divided
   std::vector<VertexNode> moreVertices; // nodes that edits add at vertices of the global mesh
   std::vector<std::uint32_t> ofCuts;    // the other nodes that edits add, in order of places
-  std::vector<WarpedHexahedron> warped;
 };
 
 // The node at a corner of a hexahedron if it is one of a side, a border or a divided box, else None.

@@ -300,18 +300,6 @@ void OutputMesh::writeCellData(const CellData& data, Execution& execution) const
         }
       }
     });
-  const auto& warped = parts_.nodes.warped;
-  execution.forEach(warped.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      const std::uint32_t box = warped[i].box;
-      const std::uint32_t number = numbers_.ofBox[box];
-      if (parts_.sides.polyhedralOrdinal(box) == None && CellNumbers::isHere(number))
-      {
-        write(hexahedraBefore(box), number, box, boxes.regionOf(box), warped[i].volumeFraction);
-      }
-    }
-  });
   const std::vector<Cell>& cells = parts_.wall.cells;
   const std::size_t first = numbers_.coreBegin;
   execution.forEach(numbers_.coreEnd - first, CellsAChunk, [&](std::size_t begin, std::size_t end) {

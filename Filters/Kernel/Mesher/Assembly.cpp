@@ -7,7 +7,6 @@
 #include "Cells/Fragments.h"
 #include "Cells/Interfaces.h"
 #include "Cells/OverlappingCells.h"
-#include "Cells/WarpedHexahedra.h"
 #include "Editing/EditableWall.h"
 #include "Editing/FlatFaces.h"
 #include "Editing/WallImprovement.h"
@@ -398,7 +397,6 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   {
     a.separate.ofRegions = countParts(a.boxes, a.patches.walls, a.sides, a.wall);
   }
-  a.nodes.warped = warpedHexahedra(a.boxes, a.sides, a.nodes, execution);
   execution.stage("Numbering", AfterEditing, AfterNumbering);
   a.mesh = std::make_unique<OutputMesh>(
     MeshParts{ a.boxes, a.patches, a.sides, a.nodes, a.wall }, execution);

@@ -263,13 +263,6 @@ std::vector<double> regionVolumes(const Assembly& a)
       add(b, cell.region, cell.removed ? 0 : cell.volumeFraction);
     }
   }
-  for (const WarpedHexahedron& warped : a.nodes.warped)
-  {
-    if (a.boxes.isCore(a.boxes.packed[warped.box]) && a.sides.polyhedralOrdinal(warped.box) == None)
-    {
-      add(warped.box, a.boxes.regionOf(warped.box), warped.volumeFraction - 1);
-    }
-  }
   return volumes;
 }
 

@@ -30,7 +30,6 @@ public:
 
   const Surface& surface() const { return surface_; }
   const Shoeboxes& shoeboxes() const { return shoeboxes_; }
-  Shoeboxes takeShoeboxes() { return std::move(shoeboxes_); }
 
   // Enlarges the sizes required by the surface or a field by a factor; that of the last call counts.
   void relax(double factor, Execution& execution);

@@ -204,7 +204,7 @@ private:
     const auto corner = [&](std::size_t i) { return position(corners(face)[i]); };
     const double reach =
       reachAlong(sizeOf(face), corner, geometry.centre, direction, partOfWay * norm(d) + Tiny);
-    return FaceSkewness{ norm(miss), 1, reach }.value();
+    return norm(miss) / std::max(reach, Tiny);
   }
 
   void setFace(std::size_t face, Measure measure, double value)

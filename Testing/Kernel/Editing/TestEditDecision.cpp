@@ -50,21 +50,17 @@ TEST(MayCollapse, TowardsHigherKindsOnly)
   const Vector edge{ 1, 0, 0 };
   const Vector surface{ 1, 1, 0 };
   const Vector inside{ 1, 1, 1 };
-  for (const bool mayLose : { true, false })
-  {
-    of.rules.mayLoseFeatures = mayLose;
-    EXPECT_TRUE(of.may(inside, surface));
-    EXPECT_FALSE(of.may(surface, inside));
-    EXPECT_TRUE(of.may(surface, edge));
-    EXPECT_FALSE(of.may(edge, surface));
-    EXPECT_TRUE(of.may(edge, corner)); // along the edge
-    EXPECT_EQ(of.charge, 0);
-    EXPECT_TRUE(of.may(edge, { 2, 0, 0 }));
-    EXPECT_EQ(of.charge, 0);
-    EXPECT_FALSE(of.may(corner, edge)); // the edges beside it would move by half a box and more
-    EXPECT_TRUE(of.may(surface, { 2, 1, 0 }));
-    EXPECT_TRUE(of.may(inside, { 2, 1, 1 }));
-  }
+  EXPECT_TRUE(of.may(inside, surface));
+  EXPECT_FALSE(of.may(surface, inside));
+  EXPECT_TRUE(of.may(surface, edge));
+  EXPECT_FALSE(of.may(edge, surface));
+  EXPECT_TRUE(of.may(edge, corner)); // along the edge
+  EXPECT_EQ(of.charge, 0);
+  EXPECT_TRUE(of.may(edge, { 2, 0, 0 }));
+  EXPECT_EQ(of.charge, 0);
+  EXPECT_FALSE(of.may(corner, edge)); // the edges beside it would move by half a box and more
+  EXPECT_TRUE(of.may(surface, { 2, 1, 0 }));
+  EXPECT_TRUE(of.may(inside, { 2, 1, 1 }));
 }
 
 TEST(MayCollapse, CornersStayWhereTheyAre)
@@ -197,11 +193,8 @@ TEST(MayJoin, ChargesForSharpEdges)
     }
     ASSERT_EQ(upper.size(), 2);
     double charge = 0;
-    rules.mayLoseFeatures = true;
     EXPECT_TRUE(mayJoin(mesh, rules, upper[0], upper[1], charge));
     EXPECT_EQ(charge > 0, depth == 0.5);
-    rules.mayLoseFeatures = false;
-    EXPECT_EQ(mayJoin(mesh, rules, upper[0], upper[1], charge), depth < 0.5);
   }
 }
 

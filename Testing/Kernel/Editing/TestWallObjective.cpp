@@ -125,9 +125,9 @@ public:
           determinant.add(measuresOf(f).area);
         }
       }
-      cost +=
-        costOfCell(measuresOfOne(c).volume / mesh_.cell(c).box, Wanted::Share, determinant.value())
-          .value;
+      cost += costOfCell(
+        measuresOfOne(c).volume / mesh_.cell(c).box, mesh_.wantedShare(), determinant.value())
+                .value;
     }
     for (const std::uint32_t f : faces_)
     {

@@ -267,7 +267,7 @@ BoxedSurface boxSurface(
   options.refinement = refinement;
   const auto decomposition = decompose(prepared, options, execution);
   Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
-  return { std::move(boxes), decomposition->takeShoeboxes(), decomposition->warnings() };
+  return { std::move(boxes), decomposition->shoeboxes(), decomposition->warnings() };
 }
 
 Meshlines randomPlanes(unsigned seed, int width)
@@ -343,7 +343,7 @@ Meshed meshPrepared(const PreparedSurface& prepared, const TestOptions& options)
   result.flawedBoxes = flawedBoxes(*assembly);
   result.statistics = statisticsOf(*assembly);
   result.patches = patchesOf(*assembly);
-  result.boxed = { std::move(assembly->boxes), decomposition->takeShoeboxes(),
+  result.boxed = { std::move(assembly->boxes), decomposition->shoeboxes(),
     decomposition->warnings() };
   return result;
 }
