@@ -1,7 +1,7 @@
 #!/bin/sh
 # Testing/Benchmark/record.sh [TABLE...]
 #
-# Measures what README.md and the Help pages say in figures, and writes it to RECORD.md, with the command, commit, date and
+# Measures what README.md and the Help pages say in figures: a line each in RECORD.md, and the output in record/, with command, commit, date and
 # machine. Without a TABLE: all that have no record of this commit; ten to forty minutes each, on a machine that has nothing
 # else to do. Needs the preset release, built. Scans are read from $SURFACES, by default ../shared/surfaces: none are
 # measured where there is no such folder.

@@ -116,15 +116,15 @@ private:
   unsigned bits_ = 4;
 };
 
-// By which a cell with these faces and so many nodes misses Euler's formula.
-int missesOf(const EditMesh& mesh, std::uint32_t c, std::size_t corners, std::size_t nodes)
+// By which a cell with these faces and so many nodes eulerDefect Euler's formula.
+int missesOf(const MeshView& mesh, std::uint32_t c, std::size_t corners, std::size_t nodes)
 {
   const std::size_t faces = mesh.facesOf(c).size();
   const bool isPossible = faces >= LeastFaces && corners % 2 == 0;
   return isPossible ? int(corners / 2) + 2 - int(nodes + faces) : -1;
 }
 
-int missesOf(EditMesh& mesh, std::uint32_t c)
+int missesOf(MeshEditor& mesh, std::uint32_t c)
 {
   std::size_t corners = 0;
   std::size_t nodes = 0;
@@ -141,7 +141,7 @@ int missesOf(EditMesh& mesh, std::uint32_t c)
   return missesOf(mesh, c, corners, nodes);
 }
 
-std::size_t cornersOfFaces(const EditMesh& mesh, std::uint32_t c)
+std::size_t cornersOfFaces(const MeshView& mesh, std::uint32_t c)
 {
   std::size_t corners = 0;
   for (const std::uint32_t f : mesh.facesOf(c))
@@ -152,7 +152,7 @@ std::size_t cornersOfFaces(const EditMesh& mesh, std::uint32_t c)
 }
 
 // False: a face has an edge that another has in the same direction.
-bool addAll(const EditMesh& mesh, std::uint32_t c, Shell& shell)
+bool addAll(const MeshView& mesh, std::uint32_t c, Shell& shell)
 {
   const Items faces = mesh.facesOf(c);
   for (std::uint32_t i = 0; i < faces.size(); ++i)
@@ -174,11 +174,11 @@ bool addAll(const EditMesh& mesh, std::uint32_t c, Shell& shell)
 
 }
 
-void noteMisses(EditStore& store, Execution& execution)
+void noteEulerDefects(EditMesh& whole, Execution& execution)
 {
   constexpr std::size_t CellsAChunk = 1024;
-  execution.forEach(store.cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-    EditMesh mesh(store, 0, 0, {});
+  execution.forEach(whole.cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    MeshEditor mesh(whole, 0, 0, {});
     std::vector<std::uint32_t> corners;
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c)
     {
@@ -193,18 +193,18 @@ void noteMisses(EditStore& store, Execution& execution)
       {
         std::sort(corners.begin(), corners.end());
         corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-        mesh.rawCell(c).misses =
+        mesh.rawCell(c).eulerDefect =
           static_cast<std::int16_t>(std::max(0, missesOf(mesh, c, count, corners.size())));
       }
     }
   });
 }
 
-void lowerMisses(EditMesh& mesh, std::uint32_t c)
+void lowerMisses(MeshEditor& mesh, std::uint32_t c)
 {
-  if (mesh.cell(c).misses > 0)
+  if (mesh.cell(c).eulerDefect > 0)
   {
-    mesh.changeCell(c).misses = static_cast<std::int16_t>(missesOf(mesh, c));
+    mesh.changeCell(c).eulerDefect = static_cast<std::int16_t>(missesOf(mesh, c));
   }
   if (mesh.cell(c).touches)
   {
@@ -212,13 +212,13 @@ void lowerMisses(EditMesh& mesh, std::uint32_t c)
   }
 }
 
-bool isClosedByCount(EditMesh& mesh, std::uint32_t c)
+bool isClosedByCount(MeshEditor& mesh, std::uint32_t c)
 {
-  const int misses = missesOf(mesh, c);
-  return misses >= 0 && misses <= mesh.cell(c).misses;
+  const int eulerDefect = missesOf(mesh, c);
+  return eulerDefect >= 0 && eulerDefect <= mesh.cell(c).eulerDefect;
 }
 
-bool isClosed(EditMesh& mesh, std::uint32_t c)
+bool isClosed(MeshEditor& mesh, std::uint32_t c)
 {
   if (!isClosedByCount(mesh, c))
   {
@@ -228,7 +228,7 @@ bool isClosed(EditMesh& mesh, std::uint32_t c)
   return addAll(mesh, c, shell) && shell.isWhole();
 }
 
-bool touchesItself(const EditMesh& mesh, std::uint32_t c)
+bool touchesItself(const MeshView& mesh, std::uint32_t c)
 {
   Shell shell(mesh.facesOf(c).size(), cornersOfFaces(mesh, c), true);
   addAll(mesh, c, shell);

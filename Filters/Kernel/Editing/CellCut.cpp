@@ -23,7 +23,7 @@ constexpr std::size_t MostOfSection = 128;
 constexpr double NearEnd = 0.15;
 
 // In boxes.
-constexpr double LeashOfCuts = 0.2;
+constexpr double DisplacementOfCuts = 0.2;
 
 // On which side of the plane nodes are: their distance, 0 on it.
 class PlaneSides
@@ -71,7 +71,7 @@ private:
 class CellCutter
 {
 public:
-  CellCutter(EditMesh& mesh, std::uint32_t cell, const CutPlane& plane)
+  CellCutter(MeshEditor& mesh, std::uint32_t cell, const CutPlane& plane)
     : mesh_(mesh)
     , cell_(cell)
     , plane_(plane)
@@ -224,15 +224,16 @@ private:
     Vector at = plus(from.at, scaled(minus(to.at, from.at), t));
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      if (((from.held & to.held) >> axis & 1) != 0 && from.at[axis] == to.at[axis]) // one plane
+      if (((from.constrainedAxes & to.constrainedAxes) >> axis & 1) != 0 &&
+        from.at[axis] == to.at[axis]) // one plane
       {
-        made.held = static_cast<std::uint8_t>(made.held | 1U << axis);
+        made.constrainedAxes = static_cast<std::uint8_t>(made.constrainedAxes | 1U << axis);
         at[axis] = from.at[axis];
       }
     }
-    made.at = onLattice(mesh_, at, made.held);
-    made.home = made.at;
-    made.leash = static_cast<float>(LeashOfCuts * mesh_.cell(cell_).edge);
+    made.at = onLattice(mesh_, at, made.constrainedAxes);
+    made.referencePosition = made.at;
+    made.maxDisplacement = static_cast<float>(DisplacementOfCuts * mesh_.cell(cell_).edge);
     placeOnWall(a, b, made);
     return made;
   }
@@ -555,7 +556,7 @@ private:
     return area;
   }
 
-  EditMesh& mesh_;
+  MeshEditor& mesh_;
   const std::uint32_t cell_;
   const CutPlane& plane_;
   PlaneSides sides_;
@@ -568,7 +569,7 @@ private:
 
 }
 
-bool cutCell(EditMesh& mesh, std::uint32_t c, const CutPlane& plane, CutParts& parts)
+bool cutCell(MeshEditor& mesh, std::uint32_t c, const CutPlane& plane, CutParts& parts)
 {
   return mesh.isFree(c) && CellCutter(mesh, c, plane).run(parts);
 }

@@ -2,8 +2,8 @@
 // Cuts a cell by a plane (section 4.11): any section of one polygon or several, through faces of any shape.
 #pragma once
 
-#include "Editing/EditMesh.h"
 #include "Editing/FixedList.h"
+#include "Editing/MeshEditor.h"
 
 namespace cartesian
 {
@@ -20,6 +20,6 @@ using CutParts = FixedList<std::uint32_t, 16>;
 
 // The first part stays cell c. As PrimitiveEdits.h: false, where a section would touch itself or have a hole, or there
 // is none.
-bool cutCell(EditMesh& mesh, std::uint32_t c, const CutPlane& plane, CutParts& parts);
+bool cutCell(MeshEditor& mesh, std::uint32_t c, const CutPlane& plane, CutParts& parts);
 
 }

@@ -14,7 +14,7 @@ constexpr double MostAside = 0.1;   // in boxes
 constexpr double ShortChord = 0.05; // in boxes: over shorter ones nothing is balanced
 
 // The only sharp edge at a node but that to `except`: its other end, or None.
-std::uint32_t nextOnEdge(const EditMesh& mesh, std::uint32_t node, std::uint32_t except)
+std::uint32_t nextOnEdge(const MeshView& mesh, std::uint32_t node, std::uint32_t except)
 {
   const SharpEnds ends = sharpEndsAt(mesh, node);
   if (ends.size() != 2 || !ends.contains(except))
@@ -32,7 +32,7 @@ struct Stretch
   bool isKnown = false;
 };
 
-Stretch stretchAt(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+Stretch stretchAt(const MeshView& mesh, std::uint32_t u, std::uint32_t v)
 {
   const std::uint32_t before = nextOnEdge(mesh, v, u);
   const std::uint32_t behind = nextOnEdge(mesh, u, v);
@@ -46,7 +46,7 @@ Stretch stretchAt(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
 
 // Twice the area.
 Vector lostBy(
-  const EditMesh& mesh, const Stretch& stretch, std::uint32_t u, std::uint32_t v, const Vector& at)
+  const MeshView& mesh, const Stretch& stretch, std::uint32_t u, std::uint32_t v, const Vector& at)
 {
   const Vector toU = minus(mesh.node(u).at, stretch.from);
   const Vector was =
@@ -56,10 +56,11 @@ Vector lostBy(
 
 }
 
-Vector placeKeepingArea(const EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Vector& at)
+Vector placeKeepingArea(const MeshView& mesh, std::uint32_t u, std::uint32_t v, const Vector& at)
 {
   const EditNode& to = mesh.node(v);
-  if (mesh.node(u).kind != NodeKind::OnEdge || to.kind != NodeKind::OnEdge || to.held == HeldFast)
+  if (mesh.node(u).kind != NodeKind::OnEdge || to.kind != NodeKind::OnEdge ||
+    to.constrainedAxes == AllAxes)
   {
     return at;
   }
@@ -71,10 +72,10 @@ Vector placeKeepingArea(const EditMesh& mesh, std::uint32_t u, std::uint32_t v, 
     return at;
   }
   const Vector aside = scaled(cross(stretch.chord, lostBy(mesh, stretch, u, v, at)), 1 / square);
-  return norm(aside) > MostAside * edge ? at : onLattice(mesh, plus(at, aside), to.held);
+  return norm(aside) > MostAside * edge ? at : onLattice(mesh, plus(at, aside), to.constrainedAxes);
 }
 
-double areaLost(const EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Vector& at)
+double areaLost(const MeshView& mesh, std::uint32_t u, std::uint32_t v, const Vector& at)
 {
   const Stretch stretch = stretchAt(mesh, u, v);
   return stretch.isKnown ? norm(lostBy(mesh, stretch, u, v, at)) / 2 : 0;

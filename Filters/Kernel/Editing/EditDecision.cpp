@@ -2,10 +2,10 @@
 #include "Editing/EditDecision.h"
 
 #include "Editing/CellClosure.h"
-#include "Editing/Debts.h"
 #include "Editing/EdgeArea.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"
+#include "Editing/VolumeDeficits.h"
 #include "Editing/WallEdges.h"
 
 #include <cmath>
@@ -28,7 +28,7 @@ double chargeOfDistance(double distance, const ObjectiveSpec& spec)
   return share * share / 2;
 }
 
-bool hasTwin(const EditMesh& mesh, std::uint32_t f)
+bool hasTwin(const MeshView& mesh, std::uint32_t f)
 {
   const Items ring = mesh.cornersOf(f);
   std::uint32_t least = ring[0];
@@ -49,12 +49,12 @@ bool hasTwin(const EditMesh& mesh, std::uint32_t f)
   return false;
 }
 
-// Measures faces of other corners; their cells are unsettled too.
-bool settleFaces(EditMesh& mesh)
+// Measures faces of other corners; their cells are dirty too.
+bool updateFaces(MeshEditor& mesh)
 {
-  for (std::size_t i = 0; i < mesh.unsettled.faces.size(); ++i)
+  for (std::size_t i = 0; i < mesh.dirty.faces.size(); ++i)
   {
-    const std::uint32_t f = mesh.unsettled.faces[i];
+    const std::uint32_t f = mesh.dirty.faces[i];
     if (mesh.face(f).gone)
     {
       continue;
@@ -73,7 +73,7 @@ bool settleFaces(EditMesh& mesh)
         {
           return false;
         }
-        mesh.unsettled.cells.add(c);
+        mesh.dirty.cells.add(c);
       }
     }
   }
@@ -81,19 +81,19 @@ bool settleFaces(EditMesh& mesh)
 }
 
 template <class IsClosed>
-bool areShapesValid(EditMesh& mesh, IsClosed&& isClosed)
+bool areShapesValid(MeshEditor& mesh, IsClosed&& isClosed)
 {
-  const Unsettled& unsettled = mesh.unsettled;
-  return unsettled.shapes.size() == 0 ||
-    (std::all_of(unsettled.shapes.begin(), unsettled.shapes.end(),
+  const DirtySets& dirty = mesh.dirty;
+  return dirty.shapes.size() == 0 ||
+    (std::all_of(dirty.shapes.begin(), dirty.shapes.end(),
        [&](std::uint32_t c) { return !mesh.isFree(c) || isClosed(mesh, c); }) &&
-      std::none_of(unsettled.faces.begin(), unsettled.faces.end(),
+      std::none_of(dirty.faces.begin(), dirty.faces.end(),
         [&](std::uint32_t f) { return !mesh.face(f).gone && hasTwin(mesh, f); }));
 }
 
-void lowerAllMisses(EditMesh& mesh)
+void lowerAllMisses(MeshEditor& mesh)
 {
-  for (const std::uint32_t c : mesh.unsettled.shapes)
+  for (const std::uint32_t c : mesh.dirty.shapes)
   {
     if (mesh.isFree(c))
     {
@@ -102,9 +102,9 @@ void lowerAllMisses(EditMesh& mesh)
   }
 }
 
-bool settleCells(EditMesh& mesh)
+bool updateCells(MeshEditor& mesh)
 {
-  for (const std::uint32_t c : mesh.unsettled.cells)
+  for (const std::uint32_t c : mesh.dirty.cells)
   {
     if (!mesh.isFree(c))
     {
@@ -112,28 +112,28 @@ bool settleCells(EditMesh& mesh)
     }
     EditCell& cell = mesh.changeCell(c);
     measureCell(mesh, c);
-    if (!(cell.volume > LeastShare * cell.box))
+    if (!(cell.volume > LeastShare * cell.boxVolume))
     {
       return false;
     }
     const Cost<double> cost = costOfCell(mesh, c);
-    mesh.ledger.cost += cost.value - cell.cost;
-    mesh.ledger.strains += int(cost.strains) - int(cell.strains);
+    mesh.delta.cost += cost.value - cell.cost;
+    mesh.delta.strains += int(cost.strains) - int(cell.strains);
     cell.cost = cost.value;
     cell.strains = cost.strains;
   }
   return true;
 }
 
-// All faces of the unsettled cells, those that changed themselves first: they decide most trials.
+// All faces of the dirty cells, those that changed themselves first: they decide most trials.
 class FacesToSettle
 {
 public:
   // False: there are more than is worth a trial.
-  bool collect(const EditMesh& mesh)
+  bool collect(const MeshEditor& mesh)
   {
     FixedList<std::uint32_t, MostFacesChanged> others;
-    for (const std::uint32_t c : mesh.unsettled.cells)
+    for (const std::uint32_t c : mesh.dirty.cells)
     {
       if (!mesh.isFree(c))
       {
@@ -143,11 +143,11 @@ public:
       {
         const std::uint32_t other = mesh.beyond(f, c);
         const bool isSeen =
-          other != None && other < c && mesh.unsettled.cells.contains(other) && mesh.isFree(other);
+          other != None && other < c && mesh.dirty.cells.contains(other) && mesh.isFree(other);
         if (!isSeen)
         {
           left_ += mesh.face(f).cost;
-          if (!(mesh.unsettled.faces.contains(f) ? faces_.add(f) : others.add(f)))
+          if (!(mesh.dirty.faces.contains(f) ? faces_.add(f) : others.add(f)))
           {
             return false;
           }
@@ -158,9 +158,9 @@ public:
       others.begin(), others.end(), [&](std::uint32_t f) { return faces_.add(f); });
   }
 
-  bool settle(EditMesh& mesh, const ObjectiveSpec& spec, double most)
+  bool updateAndValidate(MeshEditor& mesh, const ObjectiveSpec& spec, double most)
   {
-    double sum = mesh.ledger.cost - left_;
+    double sum = mesh.delta.cost - left_;
     costs_.clear();
     for (const std::uint32_t f : faces_)
     {
@@ -179,13 +179,13 @@ public:
   }
 
 private:
-  static void setCostOfFace(EditMesh& mesh, std::uint32_t f, const Cost<double>& cost)
+  static void setCostOfFace(MeshEditor& mesh, std::uint32_t f, const Cost<double>& cost)
   {
     EditFace& face = mesh.changeFace(f);
-    mesh.ledger.cost += cost.value - face.cost;
-    mesh.ledger.count(face, -1);
+    mesh.delta.cost += cost.value - face.cost;
+    mesh.delta.count(face, -1);
     setCost(face, cost);
-    mesh.ledger.count(face, 1);
+    mesh.delta.count(face, 1);
   }
 
   FixedList<std::uint32_t, MostFacesChanged> faces_;
@@ -198,7 +198,7 @@ bool isOnPlanesOf(const EditNode& node, const Vector& at)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    if ((node.held >> axis & 1) != 0 && at[axis] != node.at[axis])
+    if ((node.constrainedAxes >> axis & 1) != 0 && at[axis] != node.at[axis])
     {
       return false;
     }
@@ -207,7 +207,7 @@ bool isOnPlanesOf(const EditNode& node, const Vector& at)
 }
 
 // A node on a sharp edge moves along it, and its edge may not leave `at` far behind; false: not at all.
-bool mayLeaveEdge(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, std::uint32_t v,
+bool mayLeaveEdge(const MeshView& mesh, const EditRules& rules, std::uint32_t u, std::uint32_t v,
   const Vector& at, bool isSharp, double& charge)
 {
   const SharpEnds ends = sharpEndsAt(mesh, u);
@@ -238,7 +238,7 @@ bool mayLeaveEdge(const EditMesh& mesh, const EditRules& rules, std::uint32_t u,
 constexpr double Rounding = 2; // levels
 
 // Whether a node lies on a straight line from another to a third, as seen from all faces around it.
-bool liesOnLine(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+bool liesOnLine(const MeshView& mesh, std::uint32_t u, std::uint32_t v)
 {
   const Items faces = mesh.facesAround(u);
   const auto beside = [&](std::uint32_t f, std::size_t by) {
@@ -259,7 +259,7 @@ bool liesOnLine(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
 }
 
 // Whether a wall stays in its plane, and looks the same way, when one of its nodes moves.
-bool staysInPlane(const EditMesh& mesh, std::uint32_t f, std::uint32_t n, const Vector& way)
+bool staysInPlane(const MeshView& mesh, std::uint32_t f, std::uint32_t n, const Vector& way)
 {
   const Vector normal = unit(mesh.face(f).area);
   const Items ring = mesh.cornersOf(f);
@@ -280,7 +280,7 @@ bool staysInPlane(const EditMesh& mesh, std::uint32_t f, std::uint32_t n, const 
 }
 
 // Whether a node may become another without a wall that leaves its plane, or a sharp edge its line.
-bool staysInWalls(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+bool staysInWalls(const MeshView& mesh, std::uint32_t u, std::uint32_t v)
 {
   const double rounding = Rounding * mesh.level();
   const EditNode& node = mesh.node(u);
@@ -303,7 +303,7 @@ bool staysInWalls(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
     distanceToSegment(mesh.node(v).at, from, to) <= rounding;
 }
 
-bool areInOnePlane(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+bool areInOnePlane(const MeshView& mesh, std::uint32_t f, std::uint32_t g)
 {
   if (norm(mesh.face(f).area) < norm(mesh.face(g).area))
   {
@@ -321,7 +321,7 @@ bool areInOnePlane(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
 constexpr double MostLost = 0.1; // of what cells held, by one edit and by all
 
 // What the cells that changed held.
-double heldBefore(const EditMesh& mesh)
+double heldBefore(const MeshEditor& mesh)
 {
   double held = 0;
   for (const auto& [c, was] : mesh.cellRecords())
@@ -332,14 +332,14 @@ double heldBefore(const EditMesh& mesh)
 }
 
 // Whether most of that stays theirs: a body thinner than boxes is all that is there.
-bool keepsBody(const EditMesh& mesh, double held)
+bool keepsBody(const MeshEditor& mesh, double held)
 {
-  return std::max(std::abs(mesh.ledger.volume), 2 * std::abs(mesh.ledger.across)) <=
+  return std::max(std::abs(mesh.delta.volume), 2 * std::abs(mesh.delta.interRegionVolume)) <=
     MostLost * held;
 }
 
 // Whether the walls that changed are as large as before: none is folded, or lies on another.
-bool keepsAreas(const EditMesh& mesh)
+bool keepsAreas(const MeshEditor& mesh)
 {
   constexpr std::size_t Most = 256;
   constexpr double Little = 1e-7; // of the area
@@ -364,48 +364,48 @@ bool keepsAreas(const EditMesh& mesh)
 }
 
 // Whether walls have not drifted too far, or owe less than before; of more than some it is not asked.
-bool mayOwe(const EditMesh& mesh, const ObjectiveSpec& spec, double box, double held)
+bool mayLeaveDeficit(const MeshEditor& mesh, const ObjectiveSpec& spec, double box, double held)
 {
   const double most = MostLost * held;
   const auto may = [&](bool ofWalls) {
-    const ChangedDebt debt = changedDebt(mesh, ofWalls);
-    const double after = std::abs(debt.after);
-    if (debt.walls > MostFacesChanged)
+    const ChangedDeficit deficit = changedDeficit(mesh, ofWalls);
+    const double after = std::abs(deficit.after);
+    if (deficit.walls > MostFacesChanged)
     {
       return false;
     }
-    return after <= std::min(spec.mostDrift * std::cbrt(box) * debt.area, most) ||
-      after <= std::abs(debt.before);
+    return after <= std::min(spec.mostDrift * std::cbrt(box) * deficit.area, most) ||
+      after <= std::abs(deficit.before);
   };
-  return may(true) && (mesh.ledger.across == 0 || may(false));
+  return may(true) && (mesh.delta.interRegionVolume == 0 || may(false));
 }
 
 }
 
-bool settle(EditMesh& mesh, const ObjectiveSpec& spec, const NeededGain& needed)
+bool updateAndValidate(MeshEditor& mesh, const ObjectiveSpec& spec, const NeededGain& needed)
 {
   FacesToSettle faces;
   const auto most = [&] { // that all faces and cells may cost, with the volume as it is
-    return mesh.ledger.cost + gainOf(mesh, spec, needed.box) - needed.gain;
+    return mesh.delta.cost + gainOf(mesh, spec, needed.box) - needed.gain;
   };
-  const bool isValid = settleFaces(mesh) && faces.collect(mesh) && settleCells(mesh) &&
-    faces.settle(mesh, spec, most()) && areShapesValid(mesh, isClosedByCount);
+  const bool isValid = updateFaces(mesh) && faces.collect(mesh) && updateCells(mesh) &&
+    faces.updateAndValidate(mesh, spec, most()) && areShapesValid(mesh, isClosedByCount);
   if (isValid)
   {
     lowerAllMisses(mesh);
   }
-  mesh.unsettled.clear();
+  mesh.dirty.clear();
   return isValid;
 }
 
-bool settleShapes(EditMesh& mesh)
+bool updateShapes(MeshEditor& mesh)
 {
   constexpr std::size_t Many =
     256; // there are many such edits, and few that are right by the count alone
-  const auto isClosedAsFarAsWorthIt = [](EditMesh& of, std::uint32_t c) {
+  const auto isClosedAsFarAsWorthIt = [](MeshEditor& of, std::uint32_t c) {
     return of.cell(c).faces.size > Many ? isClosedByCount(of, c) : isClosed(of, c);
   };
-  const bool isValid = settleFaces(mesh) && areShapesValid(mesh, isClosedAsFarAsWorthIt);
+  const bool isValid = updateFaces(mesh) && areShapesValid(mesh, isClosedAsFarAsWorthIt);
   if (isValid)
   {
     lowerAllMisses(mesh);
@@ -413,7 +413,7 @@ bool settleShapes(EditMesh& mesh)
   return isValid;
 }
 
-bool areAllClosed(EditMesh& mesh, const EditMesh::Mark& mark)
+bool areAllClosed(MeshEditor& mesh, const MeshEditor::Mark& mark)
 {
   for (std::size_t i = mark.cellRecords; i < mesh.cellRecords().size(); ++i)
   {
@@ -426,21 +426,23 @@ bool areAllClosed(EditMesh& mesh, const EditMesh::Mark& mark)
   return true;
 }
 
-double gainOf(const EditMesh& mesh, const ObjectiveSpec& spec, double box)
+double gainOf(const MeshEditor& mesh, const ObjectiveSpec& spec, double box)
 {
-  const Ledger& ledger = mesh.ledger;
-  const double moved = std::abs(ledger.volume) + std::abs(ledger.across);
-  return -ledger.cost - spec.volume * moved / box - ledger.fidelity;
+  const EditDelta& delta = mesh.delta;
+  const double moved = std::abs(delta.volume) + std::abs(delta.interRegionVolume);
+  return -delta.cost - spec.volume * moved / box - delta.fidelity;
 }
 
-bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, std::uint32_t v,
+bool mayCollapse(const MeshView& mesh, const EditRules& rules, std::uint32_t u, std::uint32_t v,
   const Vector& at, double& charge)
 {
   const EditNode& from = mesh.node(u);
   const EditNode& to = mesh.node(v);
   const bool moves = at != to.at;
-  if (from.gone || to.gone || (from.atWall && !to.atWall) || (from.held & ~to.held) != 0 ||
-    (moves && to.held != from.held) || !isOnPlanesOf(from, at) || !isOnPlanesOf(to, at))
+  if (from.gone || to.gone || (from.atWall && !to.atWall) ||
+    (from.constrainedAxes & ~to.constrainedAxes) != 0 ||
+    (moves && to.constrainedAxes != from.constrainedAxes) || !isOnPlanesOf(from, at) ||
+    !isOnPlanesOf(to, at))
   {
     return false;
   }
@@ -464,16 +466,17 @@ bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, 
   return from.kind < NodeKind::OnEdge || mayLeaveEdge(mesh, rules, u, v, at, edge.isSharp, charge);
 }
 
-bool mayMove(const EditMesh& mesh, const EditRules& rules, std::uint32_t n, const Vector& to)
+bool mayMove(const MeshView& mesh, const EditRules& rules, std::uint32_t n, const Vector& to)
 {
   const EditNode& node = mesh.node(n);
   return (rules.mayChangeWalls || !node.atWall) && isOnPlanesOf(node, to) &&
     node.kind != NodeKind::Corner &&
-    (node.kind == NodeKind::Free || norm(minus(to, node.home)) <= double(node.leash));
+    (node.kind == NodeKind::Free ||
+      norm(minus(to, node.referencePosition)) <= double(node.maxDisplacement));
 }
 
 bool mayJoin(
-  const EditMesh& mesh, const EditRules& rules, std::uint32_t f, std::uint32_t g, double& charge)
+  const MeshView& mesh, const EditRules& rules, std::uint32_t f, std::uint32_t g, double& charge)
 {
   if (!rules.mayChangeWalls && mesh.isSurface(f))
   {
@@ -487,19 +490,19 @@ bool mayJoin(
   return true;
 }
 
-bool mayMerge(const EditMesh& mesh, const EditRules& rules, std::uint32_t a, std::uint32_t b)
+bool mayMerge(const MeshView& mesh, const EditRules& rules, std::uint32_t a, std::uint32_t b)
 {
-  const auto share = [&](std::uint32_t c) { return mesh.cell(c).volume / mesh.cell(c).box; };
+  const auto share = [&](std::uint32_t c) { return mesh.cell(c).volume / mesh.cell(c).boxVolume; };
   return std::min(share(a), share(b)) < rules.mostMerged;
 }
 
-double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark& mark, double box,
-  double least)
+double decide(const MeshEditor& mesh, const EditRules& rules, const MeshEditor::Mark& mark,
+  double box, double least)
 {
-  const Ledger& ledger = mesh.ledger;
-  if (ledger.failures > 0 || (ledger.failures == 0 && ledger.strains > 0) ||
-    (!rules.mayTrade && (ledger.inverted > 0 || ledger.skew > 0)) ||
-    ledger.fidelity > rules.spec.mostLost)
+  const EditDelta& delta = mesh.delta;
+  if (delta.failures > 0 || (delta.failures == 0 && delta.strains > 0) ||
+    (!rules.mayTrade && (delta.inverted > 0 || delta.skew > 0)) ||
+    delta.fidelity > rules.spec.mostLost)
   {
     return NoGain;
   }
@@ -512,7 +515,7 @@ double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark
   const double net = gain - chargeOfDistance(distance, rules.spec);
   const double held = heldBefore(mesh);
   if (distance > rules.spec.mostMoved || !(net > least) || !keepsBody(mesh, held) ||
-    !mayOwe(mesh, rules.spec, box, held))
+    !mayLeaveDeficit(mesh, rules.spec, box, held))
   {
     return NoGain;
   }

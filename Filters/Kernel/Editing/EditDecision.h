@@ -7,7 +7,7 @@
 #pragma once
 
 #include "Acceptance/WallObjective.h"
-#include "Editing/EditMesh.h"
+#include "Editing/MeshEditor.h"
 
 namespace cartesian
 {
@@ -33,35 +33,36 @@ struct NeededGain
   double box = 1; // the volume of a box there
 };
 
-// Measures what edits left unsettled, and tests it. False: the mesh would not be valid, or does not gain what is needed.
-// Nothing is unsettled afterwards.
-bool settle(EditMesh& mesh, const ObjectiveSpec& spec, const NeededGain& needed = NeededGain());
+// Measures what edits left dirty, and tests it. False: the mesh would not be valid, or does not gain what is needed.
+// Nothing is dirty afterwards.
+bool updateAndValidate(
+  MeshEditor& mesh, const ObjectiveSpec& spec, const NeededGain& needed = NeededGain());
 
-// The same without costs: those are not valid afterwards. What is unsettled stays listed, to be looked at.
-bool settleShapes(EditMesh& mesh);
+// The same without costs: those are not valid afterwards. What is dirty stays listed, to be looked at.
+bool updateShapes(MeshEditor& mesh);
 
-// Whether the cells that changed since the mark are closed in full: settle() only counts.
-bool areAllClosed(EditMesh& mesh, const EditMesh::Mark& mark);
+// Whether the cells that changed since the mark are closed in full: updateAndValidate() only counts.
+bool areAllClosed(MeshEditor& mesh, const MeshEditor::Mark& mark);
 
 // By how much the objective falls with the edits since the last commit; `box`: the volume of a box there.
-double gainOf(const EditMesh& mesh, const ObjectiveSpec& spec, double box);
+double gainOf(const MeshEditor& mesh, const ObjectiveSpec& spec, double box);
 
 // Whether node u may become v, at `at`; `charge` for what a sharp edge loses; see NodeKind.
-bool mayCollapse(const EditMesh& mesh, const EditRules& rules, std::uint32_t u, std::uint32_t v,
+bool mayCollapse(const MeshView& mesh, const EditRules& rules, std::uint32_t u, std::uint32_t v,
   const Vector& at, double& charge);
 
 // Whether a node may move there: on its surface or edge, not too far from where that was known.
-bool mayMove(const EditMesh& mesh, const EditRules& rules, std::uint32_t n, const Vector& to);
+bool mayMove(const MeshView& mesh, const EditRules& rules, std::uint32_t n, const Vector& to);
 
 // Whether two faces may become one; `charge` for a sharp edge between them.
 bool mayJoin(
-  const EditMesh& mesh, const EditRules& rules, std::uint32_t f, std::uint32_t g, double& charge);
+  const MeshView& mesh, const EditRules& rules, std::uint32_t f, std::uint32_t g, double& charge);
 
 // Whether two cells may become one, as far as their size goes.
-bool mayMerge(const EditMesh& mesh, const EditRules& rules, std::uint32_t a, std::uint32_t b);
+bool mayMerge(const MeshView& mesh, const EditRules& rules, std::uint32_t a, std::uint32_t b);
 
 // The gain of settled edits since the mark, or NoGain: not more than `least`.
-double decide(const EditMesh& mesh, const EditRules& rules, const EditMesh::Mark& mark, double box,
-  double least);
+double decide(const MeshEditor& mesh, const EditRules& rules, const MeshEditor::Mark& mark,
+  double box, double least);
 
 }

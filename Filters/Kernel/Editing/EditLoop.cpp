@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/EditLoop.h"
-#include "Editing/Debts.h"
+#include "Editing/VolumeDeficits.h"
 
 #include "Editing/NodeMoves.h"
 
@@ -118,7 +118,7 @@ public:
     {
       const Item item = queue_.top();
       queue_.pop();
-      if (isOver(item))
+      if (isDone(item))
       {
         continue;
       }
@@ -186,10 +186,10 @@ private:
   }
 
   // It costs something else now, or did not get better when it cost about as much.
-  bool isOver(const Item& item)
+  bool isDone(const Item& item)
   {
     const std::uint32_t c = item.isCell ? item.number : mesh_.face(item.number).below;
-    return costOf(item) != item.cost || task_.comesLater(c, isHere_.at(c) != 0) ||
+    return costOf(item) != item.cost || task_.isDeferred(c, isHere_.at(c) != 0) ||
       std::abs(double(failedAt(item)) - item.cost) < Retried * item.cost;
   }
 
@@ -250,7 +250,9 @@ private:
   // A cut may be better.
   bool makesLargeCell(const Proposal& proposal) const
   {
-    const auto share = [&](std::uint32_t c) { return mesh_.cell(c).volume / mesh_.cell(c).box; };
+    const auto share = [&](std::uint32_t c) {
+      return mesh_.cell(c).volume / mesh_.cell(c).boxVolume;
+    };
     return proposal.kind == EditKind::Merge && share(proposal.a) + share(proposal.b) > LargeCell;
   }
 
@@ -296,7 +298,7 @@ private:
   void finish(const Proposal& proposal)
   {
     note(proposal);
-    passOnDebts(mesh_);
+    passOnDeficits(mesh_);
     collectChanged();
     mesh_.commit();
     for (const std::uint32_t f : changed_.faces)
@@ -401,7 +403,7 @@ private:
   }
 
   const ZoneTask& task_;
-  EditMesh& mesh_;
+  MeshEditor& mesh_;
   const LoopSpec& spec_;
   ProposalTrials trials_;
   Zeroes<std::uint8_t> isHere_; // cells of the task
@@ -417,16 +419,16 @@ private:
 
 }
 
-MadeEdit madeEdit(const EditMesh& mesh, EditKind kind, std::uint32_t c)
+MadeEdit madeEdit(const MeshView& mesh, EditKind kind, std::uint32_t c)
 {
   const EditCell& cell = mesh.cell(c);
   const double level = mesh.level();
-  MadeEdit edit{ cell.home, kind };
+  MadeEdit edit{ cell.boxIndex, kind };
   edit.removed = kind == EditKind::Remove ? cell.volume / (level * level * level) : 0;
   return edit;
 }
 
-bool wasRefused(const EditMesh& mesh, std::uint32_t c)
+bool wasRefused(const MeshEditor& mesh, std::uint32_t c)
 {
   const auto& records = mesh.faceRecords();
   return std::any_of(records.begin(), records.end(), [&](const auto& record) {

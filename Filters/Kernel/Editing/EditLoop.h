@@ -23,23 +23,23 @@ struct LoopSpec
 // Of cells, and of what detail they show.
 struct MadeEdit
 {
-  std::uint32_t home;                          // the box of the cell
+  std::uint32_t boxIndex;                      // the box of the cell
   EditKind kind;                               // Merge, Remove, Cut or Flatten
   double removed = 0;                          // what the cell held, if it was removed, in levels
   RemovalReason reason = RemovalReason::Small; // ... and why
 
   bool operator<(const MadeEdit& other) const
   {
-    return std::tie(home, kind, removed, reason) <
-      std::tie(other.home, other.kind, other.removed, other.reason);
+    return std::tie(boxIndex, kind, removed, reason) <
+      std::tie(other.boxIndex, other.kind, other.removed, other.reason);
   }
 };
 
 // Of the cell that was kept, or is gone. Before the commit.
-MadeEdit madeEdit(const EditMesh& mesh, EditKind kind, std::uint32_t c);
+MadeEdit madeEdit(const MeshView& mesh, EditKind kind, std::uint32_t c);
 
 // Whether a face of a cell failed the limits of solvers before the edits since the last commit, which removed the cell.
-bool wasRefused(const EditMesh& mesh, std::uint32_t c);
+bool wasRefused(const MeshEditor& mesh, std::uint32_t c);
 
 // Costs are of the same objective (costAll). `poll`: called now and then; may throw.
 std::vector<MadeEdit> improve(

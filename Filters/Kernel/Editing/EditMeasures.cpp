@@ -11,7 +11,7 @@ namespace
 
 constexpr std::size_t RecordsAChunk = 1024;
 
-double volumeBehind(const EditMesh& mesh, std::uint32_t f)
+double volumeBehind(const MeshView& mesh, std::uint32_t f)
 {
   const std::size_t size = mesh.face(f).corners.size;
   Vector mean{};
@@ -33,7 +33,7 @@ double volumeBehind(const EditMesh& mesh, std::uint32_t f)
 
 // A wall costs what it costs its cell; between two regions, both: each side is a wall.
 template <class Number, class CellOf, class Corner>
-Cost<Number> costBetween(const EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec,
+Cost<Number> costBetween(const MeshView& mesh, std::uint32_t f, const ObjectiveSpec& spec,
   const FaceMeasures<Number>& measures, CellOf&& cellOf, Corner&& corner)
 {
   const EditFace& face = mesh.face(f);
@@ -113,7 +113,7 @@ private:
 class GradientOfNode
 {
 public:
-  GradientOfNode(const EditMesh& mesh, std::uint32_t node, const ObjectiveSpec& spec)
+  GradientOfNode(const MeshView& mesh, std::uint32_t node, const ObjectiveSpec& spec)
     : mesh_(mesh)
     , node_(node)
     , spec_(spec)
@@ -289,7 +289,7 @@ private:
     }
     sum_ = plus(sum_,
       cartesian::costOfCell(
-        measures.volume * (1 / mesh_.cell(c).box), mesh_.wantedShare(), determinant.value())
+        measures.volume * (1 / mesh_.cell(c).boxVolume), mesh_.wantedShare(), determinant.value())
         .value.slope);
   }
 
@@ -312,7 +312,7 @@ private:
   static constexpr std::size_t MostFaces = 96;
   static constexpr std::size_t MostCells = 64;
 
-  const EditMesh& mesh_;
+  const MeshView& mesh_;
   std::uint32_t node_;
   const ObjectiveSpec& spec_;
   FixedList<std::pair<std::uint32_t, Face>, MostFaces> faces_;
@@ -323,7 +323,7 @@ private:
 
 }
 
-void measureFace(EditMesh& mesh, std::uint32_t f)
+void measureFace(MeshEditor& mesh, std::uint32_t f)
 {
   EditFace& face = mesh.rawFace(f);
   const FaceMeasures<double> measures = measuresOfFace<double>(
@@ -335,13 +335,13 @@ void measureFace(EditMesh& mesh, std::uint32_t f)
   if (mesh.isSurface(f))
   {
     const double behind = volumeBehind(mesh, f);
-    (mesh.isWall(f) ? mesh.ledger.volume : mesh.ledger.across) +=
+    (mesh.isWall(f) ? mesh.delta.volume : mesh.delta.interRegionVolume) +=
       mesh.signOf(f) * (behind - face.behind);
     face.behind = behind;
   }
 }
 
-void measureCell(EditMesh& mesh, std::uint32_t c)
+void measureCell(MeshEditor& mesh, std::uint32_t c)
 {
   const Items faces = mesh.facesOf(c);
   const CellMeasures<double> measures = measuresOfCell<double>(faces.size(), [&](auto&& visit) {
@@ -356,7 +356,7 @@ void measureCell(EditMesh& mesh, std::uint32_t c)
   cell.volume = measures.volume;
 }
 
-Cost<double> costOfFace(const EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec)
+Cost<double> costOfFace(const MeshView& mesh, std::uint32_t f, const ObjectiveSpec& spec)
 {
   const EditFace& face = mesh.face(f);
   const FaceMeasures<double> measures{ face.centre, face.area, face.star, face.warp };
@@ -369,14 +369,14 @@ Cost<double> costOfFace(const EditMesh& mesh, std::uint32_t f, const ObjectiveSp
 }
 
 double costBy(
-  const EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& to, const ObjectiveSpec& from)
+  const MeshView& mesh, std::uint32_t f, const ObjectiveSpec& to, const ObjectiveSpec& from)
 {
   const EditFace& face = mesh.face(f);
   return mesh.isSurface(f) && !mesh.isWall(f) ? costOfFace(mesh, f, to).value
                                               : costBy(to, from, face.cost, face.fails);
 }
 
-Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c)
+Cost<double> costOfCell(const MeshView& mesh, std::uint32_t c)
 {
   DeterminantOfCell<double> determinant;
   for (const std::uint32_t f : mesh.facesOf(c))
@@ -387,10 +387,10 @@ Cost<double> costOfCell(const EditMesh& mesh, std::uint32_t c)
     }
   }
   const EditCell& cell = mesh.cell(c);
-  return costOfCell(cell.volume / cell.box, mesh.wantedShare(), determinant.value());
+  return costOfCell(cell.volume / cell.boxVolume, mesh.wantedShare(), determinant.value());
 }
 
-void setCostOfCell(EditMesh& mesh, std::uint32_t c)
+void setCostOfCell(MeshEditor& mesh, std::uint32_t c)
 {
   const Cost<double> cost = costOfCell(mesh, c);
   EditCell& cell = mesh.rawCell(c);
@@ -398,7 +398,7 @@ void setCostOfCell(EditMesh& mesh, std::uint32_t c)
   cell.strains = cost.strains;
 }
 
-void setCostOfFace(EditMesh& mesh, std::uint32_t f, const ObjectiveSpec& spec)
+void setCostOfFace(MeshEditor& mesh, std::uint32_t f, const ObjectiveSpec& spec)
 {
   setCost(mesh.rawFace(f), costOfFace(mesh, f, spec));
 }
@@ -412,10 +412,10 @@ void setCost(EditFace& face, const Cost<double>& cost)
   face.skew = cost.skew;
 }
 
-void measureAll(EditStore& store, Execution& execution)
+void measureAll(EditMesh& whole, Execution& execution)
 {
-  execution.forEach(store.faces.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
-    EditMesh mesh(store, 0, 0, {});
+  execution.forEach(whole.faces.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
+    MeshEditor mesh(whole, 0, 0, {});
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
     {
       if (!mesh.face(i).gone)
@@ -424,8 +424,8 @@ void measureAll(EditStore& store, Execution& execution)
       }
     }
   });
-  execution.forEach(store.cells.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
-    EditMesh mesh(store, 0, 0, {});
+  execution.forEach(whole.cells.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
+    MeshEditor mesh(whole, 0, 0, {});
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
     {
       if (!mesh.cell(i).gone && !mesh.isGhost(i))
@@ -436,10 +436,10 @@ void measureAll(EditStore& store, Execution& execution)
   });
 }
 
-void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution)
+void costAll(EditMesh& whole, const ObjectiveSpec& spec, Execution& execution)
 {
-  execution.forEach(store.cells.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
-    EditMesh mesh(store, 0, 0, {});
+  execution.forEach(whole.cells.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
+    MeshEditor mesh(whole, 0, 0, {});
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c)
     {
       if (mesh.isFree(c))
@@ -448,8 +448,8 @@ void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution)
       }
     }
   });
-  execution.forEach(store.faces.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
-    EditMesh mesh(store, 0, 0, {});
+  execution.forEach(whole.faces.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
+    MeshEditor mesh(whole, 0, 0, {});
     for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f)
     {
       if (!mesh.face(f).gone)
@@ -460,7 +460,7 @@ void costAll(EditStore& store, const ObjectiveSpec& spec, Execution& execution)
   });
 }
 
-bool isThinThere(const EditMesh& mesh, std::uint32_t c)
+bool isThinThere(const MeshView& mesh, std::uint32_t c)
 {
   constexpr double LeastOfHost = 0.15; // of its box
   constexpr double MostToHosts = 0.6;  // of its area inside: more is a layer on larger cells
@@ -473,13 +473,13 @@ bool isThinThere(const EditMesh& mesh, std::uint32_t c)
       const EditCell& other = mesh.cell(mesh.beyond(f, c));
       const double part = norm(mesh.face(f).area);
       area += part;
-      toHosts += other.volume >= LeastOfHost * other.box ? part : 0;
+      toHosts += other.volume >= LeastOfHost * other.boxVolume ? part : 0;
     }
   }
   return toHosts <= MostToHosts * area;
 }
 
-bool isBridge(const EditMesh& mesh, std::uint32_t c)
+bool isBridge(const MeshView& mesh, std::uint32_t c)
 {
   using Cells = FixedList<std::uint32_t, 256>;
   Cells beside;
@@ -523,7 +523,7 @@ bool isBridge(const EditMesh& mesh, std::uint32_t c)
   });
 }
 
-void listChanged(const EditMesh& mesh, std::vector<std::uint32_t>& cells)
+void listChanged(const MeshEditor& mesh, std::vector<std::uint32_t>& cells)
 {
   for (const auto& record : mesh.faceRecords())
   {
@@ -537,9 +537,9 @@ void listChanged(const EditMesh& mesh, std::vector<std::uint32_t>& cells)
   }
 }
 
-bool measureUnsettled(EditMesh& mesh)
+bool measureDirty(MeshEditor& mesh)
 {
-  for (const std::uint32_t f : mesh.unsettled.faces)
+  for (const std::uint32_t f : mesh.dirty.faces)
   {
     if (!mesh.face(f).gone)
     {
@@ -548,10 +548,10 @@ bool measureUnsettled(EditMesh& mesh)
     }
     for (const std::uint32_t c : { mesh.face(f).below, mesh.face(f).above })
     {
-      c != None ? mesh.unsettled.cells.add(c) : void();
+      c != None ? mesh.dirty.cells.add(c) : void();
     }
   }
-  for (const std::uint32_t c : mesh.unsettled.cells)
+  for (const std::uint32_t c : mesh.dirty.cells)
   {
     if (!mesh.cell(c).gone && !mesh.isGhost(c))
     {
@@ -566,7 +566,7 @@ bool measureUnsettled(EditMesh& mesh)
   return true;
 }
 
-void costCells(EditMesh& mesh, Items cells, const ObjectiveSpec& spec)
+void costCells(MeshEditor& mesh, Items cells, const ObjectiveSpec& spec)
 {
   for (const std::uint32_t c : cells)
   {
@@ -582,7 +582,7 @@ void costCells(EditMesh& mesh, Items cells, const ObjectiveSpec& spec)
   }
 }
 
-Vector gradientAt(const EditMesh& mesh, std::uint32_t node, const ObjectiveSpec& spec, double least)
+Vector gradientAt(const MeshView& mesh, std::uint32_t node, const ObjectiveSpec& spec, double least)
 {
   return GradientOfNode(mesh, node, spec).sum(least);
 }

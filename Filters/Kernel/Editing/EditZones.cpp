@@ -66,37 +66,37 @@ struct Zone
 class ZoneRounds
 {
 public:
-  ZoneRounds(EditStore& store, Execution& execution,
-    const std::function<void(const ZoneTask&)>& work, bool looksAgain)
-    : store_(store)
+  ZoneRounds(EditMesh& mesh, Execution& execution, const std::function<void(const ZoneTask&)>& work,
+    bool looksAgain)
+    : mesh_(mesh)
     , execution_(execution)
     , work_(work)
     , looksAgain_(looksAgain)
-    , isOver_(store.cells.size(), 0)
+    , isDone_(mesh.cells.size(), 0)
   {
     listLeft();
   }
 
   void runAround(const std::vector<std::uint32_t>& cells)
   {
-    std::fill(isOver_.begin(), isOver_.end(), 1);
+    std::fill(isDone_.begin(), isDone_.end(), 1);
     for (const std::uint32_t c : cells)
     {
-      isOver_[c] = 0;
+      isDone_[c] = 0;
     }
     listLeft();
-    divideByGroups(
-      SurroundingsByNodes, [&](std::uint32_t c, auto&& visit) { forEachAtNodes(c, visit); });
+    divideByGroups(SurroundingsByNodes,
+      [&](std::uint32_t c, auto&& visit) { view().forEachCellAround(c, visit); });
     look(0);
     setZones(0);
-    store_.compact(execution_);
+    mesh_.compact(execution_);
   }
 
   void run()
   {
     for (const Round& round : Rounds)
     {
-      if (left_.size() * FewOf > isOver_.size())
+      if (left_.size() * FewOf > isDone_.size())
       {
         divideByPlanes(round.across);
         look(round.margin);
@@ -112,13 +112,13 @@ public:
       look(0);
     }
     setZones(0);
-    store_.compact(execution_);
+    mesh_.compact(execution_);
   }
 
 private:
   bool isEditable(std::size_t c) const
   {
-    return !store_.cells[c].gone && store_.cells[c].state == CellState::Free;
+    return !mesh_.cells[c].gone && mesh_.cells[c].state == CellState::Free;
   }
 
   template <class Visitor>
@@ -143,21 +143,21 @@ private:
 
   void setZones(std::uint32_t zone)
   {
-    forEach(store_.cells.size(), [&](std::uint32_t c) { store_.cells[c].zone = zone; });
+    forEach(mesh_.cells.size(), [&](std::uint32_t c) { mesh_.cells[c].zone = zone; });
   }
 
   // Cells that no zone has looked at; those made in a zone were looked at there.
   void listLeft()
   {
-    isOver_.resize(store_.cells.size(), 1);
-    left_ = find<std::uint32_t>(isOver_.size(), [&](std::uint32_t c, auto& found) {
-      if (isOver_[c] == 0 && isEditable(c))
+    isDone_.resize(mesh_.cells.size(), 1);
+    left_ = find<std::uint32_t>(isDone_.size(), [&](std::uint32_t c, auto& found) {
+      if (isDone_[c] == 0 && isEditable(c))
       {
         found.push_back(c);
       }
       else
       {
-        isOver_[c] = 1;
+        isDone_[c] = 1;
       }
     });
   }
@@ -165,12 +165,12 @@ private:
   // What still fails is looked at again, now with all its surroundings.
   void addFailing()
   {
-    forEach(isOver_.size(), [&](std::uint32_t c) {
-      if (isOver_[c] != 0 && isEditable(c))
+    forEach(isDone_.size(), [&](std::uint32_t c) {
+      if (isDone_[c] != 0 && isEditable(c))
       {
-        const Items faces = listOf(store_.cells[c].faces);
-        isOver_[c] = std::any_of(faces.begin(), faces.end(),
-                       [&](std::uint32_t f) { return store_.faces[f].fails > 0; })
+        const Items faces = view().facesOf(c);
+        isDone_[c] = std::any_of(faces.begin(), faces.end(),
+                       [&](std::uint32_t f) { return mesh_.faces[f].fails > 0; })
           ? 0
           : 1;
       }
@@ -183,11 +183,11 @@ private:
   void divideByPlanes(const Directions& directions)
   {
     const auto placeOf = [&](std::uint32_t c) {
-      const Vector& at = store_.cells[c].centre;
+      const Vector& at = mesh_.cells[c].centre;
       return Vector{ dot(at, directions[0]), dot(at, directions[1]), dot(at, directions[2]) };
     };
     const std::vector<std::uint32_t> cells =
-      find<std::uint32_t>(store_.cells.size(), [&](std::uint32_t c, auto& found) {
+      find<std::uint32_t>(mesh_.cells.size(), [&](std::uint32_t c, auto& found) {
         if (isEditable(c))
         {
           found.push_back(c);
@@ -199,13 +199,13 @@ private:
     forEach(sample.size(), [&](std::uint32_t i) { sample[i] = placeOf(cells[i * CellsASample]); });
     const ZoneDivision division(std::move(sample), count);
     forEach(cells.size(),
-      [&](std::uint32_t i) { store_.cells[cells[i]].zone = division.zoneOf(placeOf(cells[i])); });
+      [&](std::uint32_t i) { mesh_.cells[cells[i]].zone = division.zoneOf(placeOf(cells[i])); });
     const auto byZone = fillBuckets<std::uint32_t>(
       cells.size(), ItemsAChunk, count,
       [&](std::size_t begin, std::size_t end, auto&& add) {
         for (std::size_t i = begin; i < end; ++i)
         {
-          add(store_.cells[cells[i]].zone, cells[i]);
+          add(mesh_.cells[cells[i]].zone, cells[i]);
         }
       },
       execution_);
@@ -222,7 +222,7 @@ private:
   void divideByGroups(int rings, ForEachNear&& forEachNear)
   {
     setZones(None);
-    std::vector<std::atomic<std::uint8_t>> isMember(store_.cells.size());
+    std::vector<std::atomic<std::uint8_t>> isMember(mesh_.cells.size());
     forEach(left_.size(), [&](std::uint32_t i) { isMember[left_[i]] = 1; });
     std::vector<std::uint32_t> members = left_;
     std::size_t begin = 0;
@@ -248,12 +248,12 @@ private:
   template <class ForEachNear>
   void nameGroups(const std::vector<std::uint32_t>& members, ForEachNear&& forEachNear)
   {
-    forEach(members.size(), [&](std::uint32_t i) { store_.cells[members[i]].zone = 0; });
-    DisjointSets groups(store_.cells.size());
+    forEach(members.size(), [&](std::uint32_t i) { mesh_.cells[members[i]].zone = 0; });
+    DisjointSets groups(mesh_.cells.size());
     for (const std::uint32_t c : members)
     {
       forEachNear(c, [&](std::uint32_t other) {
-        if (other < c && store_.cells[other].zone == 0)
+        if (other < c && mesh_.cells[other].zone == 0)
         {
           groups.unite(c, other);
         }
@@ -277,7 +277,7 @@ private:
         zones_.push_back({ i, i, {}, 0 });
       }
       zones_.back().end = i + 1;
-      store_.cells[byGroup[i][1]].zone = static_cast<std::uint32_t>(zones_.size() - 1);
+      mesh_.cells[byGroup[i][1]].zone = static_cast<std::uint32_t>(zones_.size() - 1);
       order_[i] = byGroup[i][1];
     }
   }
@@ -285,39 +285,16 @@ private:
   template <class Visitor>
   void forEachBeside(std::uint32_t c, Visitor&& visit) const
   {
-    for (const std::uint32_t f : listOf(store_.cells[c].faces))
+    for (const std::uint32_t f : view().facesOf(c))
     {
-      const EditFace& face = store_.faces[f];
-      const std::uint32_t other = face.below == c ? face.above : face.below;
-      if (other != None)
+      if (const std::uint32_t other = view().beyond(f, c); other != None)
       {
         visit(other);
       }
     }
   }
 
-  // Cells that share a node, themselves too; some several times.
-  template <class Visitor>
-  void forEachAtNodes(std::uint32_t c, Visitor&& visit) const
-  {
-    for (const std::uint32_t f : listOf(store_.cells[c].faces))
-    {
-      for (const std::uint32_t n : listOf(store_.faces[f].corners))
-      {
-        for (const std::uint32_t g : listOf(store_.nodes[n].faces))
-        {
-          visit(store_.faces[g].below);
-          store_.faces[g].above != None ? visit(store_.faces[g].above) : void();
-        }
-      }
-    }
-  }
-
-  Items listOf(const ItemList& list) const
-  {
-    const std::uint32_t* first = store_.arenas[list.arena].data() + list.first;
-    return { first, first + list.size };
-  }
+  MeshView view() const { return MeshView(mesh_); }
 
   // --- a round
 
@@ -325,29 +302,29 @@ private:
   {
     fix();
     chooseCells(margin);
-    std::vector<FreeSlots> slots = giveSlots(store_, slotCounts(), execution_);
+    std::vector<FreeSlots> slots = giveSlots(mesh_, slotCounts(), execution_);
     // Lists stay in the arenas of zones that made them, as long as there are numbers for more.
-    if (store_.arenas.size() + zones_.size() > MostArenas)
+    if (mesh_.arenas.size() + zones_.size() > MostArenas)
     {
-      store_.compact(execution_);
+      mesh_.compact(execution_);
     }
-    const std::size_t firstArena = store_.arenas.size();
-    store_.arenas.resize(firstArena + zones_.size());
-    const std::vector<std::uint32_t> order = dearestFirst();
+    const std::size_t firstArena = mesh_.arenas.size();
+    mesh_.arenas.resize(firstArena + zones_.size());
+    const std::vector<std::uint32_t> order = byCost();
     execution_.nextLoop(ShareOfRound);
     execution_.forEach(order.size(), 1, [&](std::size_t i, std::size_t) {
       const std::uint32_t z = order[i];
       const Zone& zone = zones_[z];
-      EditMesh editor(store_, z, static_cast<std::uint16_t>(firstArena + z), std::move(slots[z]));
+      MeshEditor editor(mesh_, z, static_cast<std::uint16_t>(firstArena + z), std::move(slots[z]));
       const Items all{ order_.data() + zone.begin, order_.data() + zone.end };
-      work_({ editor, zone.cells, all, isOver_ });
+      work_({ editor, zone.cells, all, isDone_ });
       slots[z] = editor.takeSlots();
     });
-    takeSlotsBack(store_, slots);
+    takeSlotsBack(mesh_, slots);
     execution_.forEach(zones_.size(), 1, [&](std::size_t z, std::size_t) {
       for (const std::uint32_t c : zones_[z].cells)
       {
-        isOver_[c] = 1;
+        isDone_[c] = 1;
       }
     });
     listLeft();
@@ -366,7 +343,7 @@ private:
   }
 
   // So that no thread still works at a large one when the others have ended.
-  std::vector<std::uint32_t> dearestFirst() const
+  std::vector<std::uint32_t> byCost() const
   {
     const auto work = [&](std::uint32_t z) {
       return zones_[z].cells.size() + CostlyByCell * zones_[z].costly;
@@ -383,22 +360,22 @@ private:
   void fix()
   {
     markNodes();
-    isFixed_ = std::vector<std::atomic<std::uint8_t>>(store_.cells.size());
-    forEach(store_.nodes.size(), [&](std::uint32_t n) {
+    isFixed_ = std::vector<std::atomic<std::uint8_t>>(mesh_.cells.size());
+    forEach(mesh_.nodes.size(), [&](std::uint32_t n) {
       if (marks_[n].load(std::memory_order_relaxed) != Between)
       {
         return;
       }
-      for (const std::uint32_t f : listOf(store_.nodes[n].faces))
+      for (const std::uint32_t f : view().facesAround(n))
       {
-        for (const std::uint32_t c : { store_.faces[f].below, store_.faces[f].above })
+        for (const std::uint32_t c : { mesh_.faces[f].below, mesh_.faces[f].above })
         {
           c != None ? isFixed_[c].store(1, std::memory_order_relaxed) : void();
         }
       }
     });
     forEach(order_.size(), [&](std::uint32_t i) {
-      EditCell& cell = store_.cells[order_[i]];
+      EditCell& cell = mesh_.cells[order_[i]];
       cell.zone = isFixed_[order_[i]] != 0 ? None : cell.zone;
     });
   }
@@ -407,14 +384,14 @@ private:
   // or faces of what cannot be edited, of several, which touch there without a face between them.
   void markNodes()
   {
-    RawVector<std::uint32_t> markOf(store_.cells.size());
+    RawVector<std::uint32_t> markOf(mesh_.cells.size());
     forEach(markOf.size(), [&](std::uint32_t c) {
-      const std::uint32_t zone = store_.cells[c].zone;
+      const std::uint32_t zone = mesh_.cells[c].zone;
       markOf[c] = !isEditable(c) ? NotEditable : zone == None ? InNone : FirstZone + zone;
     });
-    marks_ = std::vector<std::atomic<std::uint32_t>>(store_.nodes.size());
-    forEach(store_.faces.size(), [&](std::uint32_t f) {
-      const EditFace& face = store_.faces[f];
+    marks_ = std::vector<std::atomic<std::uint32_t>>(mesh_.nodes.size());
+    forEach(mesh_.faces.size(), [&](std::uint32_t f) {
+      const EditFace& face = mesh_.faces[f];
       const std::uint32_t below = face.gone ? NotEditable : markOf[face.below];
       const std::uint32_t above =
         face.gone || face.above == None ? NotEditable : markOf[face.above];
@@ -423,7 +400,7 @@ private:
         return;
       }
       const bool isEnd = below == NotEditable || above == NotEditable;
-      for (const std::uint32_t n : listOf(face.corners))
+      for (const std::uint32_t n : view().cornersOf(f))
       {
         isEnd ? markEnd(n, std::max(below, above))
               : marks_[n].store(Between, std::memory_order_relaxed);
@@ -452,7 +429,7 @@ private:
           [&](std::uint32_t c) { extendMargin(c, ring, static_cast<std::uint32_t>(z)); });
       }
       std::copy_if(first, last, std::back_inserter(zones_[z].cells),
-        [&](std::uint32_t c) { return isFixed_[c] == 0 && isOver_[c] == 0; });
+        [&](std::uint32_t c) { return isFixed_[c] == 0 && isDone_[c] == 0; });
       zones_[z].costly = countCostly(zones_[z].cells);
     });
   }
@@ -462,9 +439,9 @@ private:
     std::size_t count = 0;
     for (const std::uint32_t c : cells)
     {
-      for (const std::uint32_t f : listOf(store_.cells[c].faces))
+      for (const std::uint32_t f : view().facesOf(c))
       {
-        count += store_.faces[f].cost > CostlyFrom ? 1 : 0;
+        count += mesh_.faces[f].cost > CostlyFrom ? 1 : 0;
       }
     }
     return count;
@@ -475,7 +452,7 @@ private:
     if (isFixed_[c] == ring)
     {
       forEachBeside(c, [&](std::uint32_t other) {
-        if (store_.cells[other].zone == zone && isFixed_[other] == 0)
+        if (mesh_.cells[other].zone == zone && isFixed_[other] == 0)
         {
           isFixed_[other] = static_cast<std::uint8_t>(ring + 1);
         }
@@ -494,11 +471,11 @@ private:
   static constexpr double CostlyFrom = 3;
   static constexpr std::size_t CostlyByCell = 4; // what it takes to look at a costly face
 
-  EditStore& store_;
+  EditMesh& mesh_;
   Execution& execution_;
   const std::function<void(const ZoneTask&)>& work_;
   bool looksAgain_;
-  std::vector<std::uint8_t> isOver_; // of cells
+  std::vector<std::uint8_t> isDone_; // of cells
   std::vector<std::uint32_t> left_;  // those that are not
   std::vector<Zone> zones_;
   std::vector<std::uint32_t> order_;               // cells, by zones
@@ -508,16 +485,16 @@ private:
 
 }
 
-void editInZones(EditStore& store, Execution& execution,
+void editInZones(EditMesh& mesh, Execution& execution,
   const std::function<void(const ZoneTask&)>& work, bool looksAgain)
 {
-  ZoneRounds(store, execution, work, looksAgain).run();
+  ZoneRounds(mesh, execution, work, looksAgain).run();
 }
 
-void editInGroups(EditStore& store, Execution& execution, const std::vector<std::uint32_t>& cells,
+void editInGroups(EditMesh& mesh, Execution& execution, const std::vector<std::uint32_t>& cells,
   const std::function<void(const ZoneTask&)>& work)
 {
-  ZoneRounds(store, execution, work, false).runAround(cells);
+  ZoneRounds(mesh, execution, work, false).runAround(cells);
 }
 
 }

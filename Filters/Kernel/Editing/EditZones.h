@@ -7,7 +7,7 @@
 // are the last zones. Thus every cell is looked at once, with its surroundings free.
 #pragma once
 
-#include "Editing/EditMesh.h"
+#include "Editing/MeshEditor.h"
 
 #include <functional>
 
@@ -17,11 +17,11 @@ namespace cartesian
 // What an editor looks at.
 struct ZoneTask
 {
-  EditMesh& mesh;
+  MeshEditor& mesh;
   const std::vector<std::uint32_t>& cells; // to be looked at, in order
   Items zone;                              // all of the zone, except those that are made
   const std::vector<std::uint8_t>&
-    isOver; // of all cells before this round: looked at in an earlier one
+    isDone; // of all cells before this round: looked at in an earlier one
 
   // Calls visit(face) for the faces of these cells, those between two of them twice.
   template <class Visitor>
@@ -37,19 +37,19 @@ struct ZoneTask
   }
 
   // Whether a later round looks at a cell. `isHere`: of `cells`.
-  bool comesLater(std::uint32_t c, bool isHere) const
+  bool isDeferred(std::uint32_t c, bool isHere) const
   {
-    return !isHere && c < isOver.size() && isOver[c] == 0;
+    return !isHere && c < isDone.size() && isDone[c] == 0;
   }
 };
 
 // Calls work for each zone of each round. All cells belong to zone 0 before and afterwards, and all lists to the first
 // arena. `looksAgain`: the last zones also have the cells of faces that fail then.
-void editInZones(EditStore& store, Execution& execution,
+void editInZones(EditMesh& mesh, Execution& execution,
   const std::function<void(const ZoneTask&)>& work, bool looksAgain = false);
 
 // Calls work for each connected group of some cells, in order, with their surroundings.
-void editInGroups(EditStore& store, Execution& execution, const std::vector<std::uint32_t>& cells,
+void editInGroups(EditMesh& mesh, Execution& execution, const std::vector<std::uint32_t>& cells,
   const std::function<void(const ZoneTask&)>& work);
 
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells at the wall as an EditMesh, and back: those of intersected boxes and others with a wall, and one ring of
+// The cells at the wall as an MeshEditor, and back: those of intersected boxes and others with a wall, and one ring of
 // cells around them. What lies beyond is there as ghosts, whose nodes are held.
 //
 // Nothing depends on how the input is ordered: cells are in the order of their boxes, several in a box in that of their
@@ -8,7 +8,7 @@
 #pragma once
 
 #include "Cells/Boundary.h"
-#include "Editing/EditMesh.h"
+#include "Editing/MeshEditor.h"
 #include "Surface/WallLayerSpec.h"
 
 #include <limits>
@@ -44,7 +44,7 @@ struct AsOpened
 
 struct EditableWall
 {
-  EditMesh mesh;
+  MeshEditor mesh;
   Point origin{};
   AsOpened opened;
 

@@ -3,11 +3,11 @@
 
 #include "Base/Sorting.h"
 #include "Editing/CellClosure.h"
-#include "Editing/Debts.h"
 #include "Editing/EditDecision.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/FixedList.h"
 #include "Editing/PrimitiveEdits.h"
+#include "Editing/VolumeDeficits.h"
 
 #include <algorithm>
 
@@ -67,7 +67,7 @@ bool copy(Items items, Few& list)
   return items.size() <= Most;
 }
 
-bool areTwins(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+bool areTwins(const MeshView& mesh, std::uint32_t f, std::uint32_t g)
 {
   const Items ring = mesh.cornersOf(f);
   const Items other = mesh.cornersOf(g);
@@ -81,7 +81,7 @@ class Removal
 {
 public:
   // `mayTouch`: cells may touch themselves along its edges afterwards, as others do, and two walls each other.
-  Removal(EditMesh& mesh, std::uint32_t f, bool mayTouch = false)
+  Removal(MeshEditor& mesh, std::uint32_t f, bool mayTouch = false)
     : mesh_(mesh)
     , face_(f)
     , mayTouch_(mayTouch)
@@ -120,7 +120,7 @@ public:
   {
     const EditNode& from = mesh_.node(u);
     const EditNode& to = mesh_.node(v);
-    return (from.held & ~to.held) == 0 && (to.atWall || !from.atWall) &&
+    return (from.constrainedAxes & ~to.constrainedAxes) == 0 && (to.atWall || !from.atWall) &&
       collapseEdge(mesh_, u, v, to.at) && isSound();
   }
 
@@ -131,14 +131,14 @@ private:
 
   bool isSound()
   {
-    for (const std::uint32_t f : mesh_.unsettled.faces)
+    for (const std::uint32_t f : mesh_.dirty.faces)
     {
       if (!mesh_.face(f).gone && !dropFold(f))
       {
         return false;
       }
     }
-    const auto& cells = mesh_.unsettled.shapes;
+    const auto& cells = mesh_.dirty.shapes;
     return std::all_of(cells.begin(), cells.end(),
       [&](std::uint32_t c) { return mesh_.cell(c).gone || isWhole(c); });
   }
@@ -279,7 +279,7 @@ private:
     return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
   }
 
-  EditMesh& mesh_;
+  MeshEditor& mesh_;
   std::uint32_t face_;
   bool mayTouch_;
   Few ring_;
@@ -288,7 +288,7 @@ private:
 class FlatFaceRemover
 {
 public:
-  FlatFaceRemover(EditMesh& mesh, const EditRules& rules)
+  FlatFaceRemover(MeshEditor& mesh, const EditRules& rules)
     : mesh_(mesh)
     , rules_(rules)
   {
@@ -357,13 +357,13 @@ private:
   template <class Edit>
   bool tryEdit(Edit&& edit)
   {
-    const EditMesh::Mark mark = mesh_.mark();
-    if (!edit() || !measureUnsettled(mesh_))
+    const MeshEditor::Mark mark = mesh_.mark();
+    if (!edit() || !measureDirty(mesh_))
     {
       mesh_.undo(mark);
       return false;
     }
-    passOnDebts(mesh_);
+    passOnDeficits(mesh_);
     std::vector<std::uint32_t> changed;
     listChanged(mesh_, changed);
     mesh_.commit();
@@ -372,25 +372,24 @@ private:
     return true;
   }
 
-  EditMesh& mesh_;
+  MeshEditor& mesh_;
   const EditRules& rules_;
   std::vector<MadeEdit> edits_;
 };
 
 }
 
-bool isFlat(const EditMesh& mesh, std::uint32_t f)
+bool isFlat(const MeshView& mesh, std::uint32_t f)
 {
   return areOnLine(
     mesh.face(f).corners.size, [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); });
 }
 
-std::vector<MadeEdit> removeFlatFaces(
-  EditStore& store, const EditRules& rules, Execution& execution)
+std::vector<MadeEdit> removeFlatFaces(EditMesh& whole, const EditRules& rules, Execution& execution)
 {
-  std::vector<std::vector<std::uint32_t>> ofChunks(chunks(store.faces.size(), ItemsAChunk));
-  execution.forEach(store.faces.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
-    const EditMesh mesh(store, 0, 0, {});
+  std::vector<std::vector<std::uint32_t>> ofChunks(chunks(whole.faces.size(), ItemsAChunk));
+  execution.forEach(whole.faces.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    const MeshView mesh(whole);
     for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f)
     {
       if (!mesh.face(f).gone && isFlat(mesh, f))
@@ -399,7 +398,7 @@ std::vector<MadeEdit> removeFlatFaces(
       }
     }
   });
-  EditMesh mesh(store, 0, 0, {});
+  MeshEditor mesh(whole, 0, 0, {});
   FlatFaceRemover remover(mesh, rules);
   for (const std::uint32_t f : concatenated(ofChunks))
   {

@@ -13,7 +13,7 @@ namespace cartesian
 {
 
 // Whether the corners of a face lie on a line as far as doubles can tell: then area and normal are noise.
-bool isFlat(const EditMesh& mesh, std::uint32_t f);
+bool isFlat(const MeshView& mesh, std::uint32_t f);
 
 // Whether any face of the mesh at the wall is, as it was cut.
 bool hasFlatFaces(const Nodes& nodes, const WallMesh& wall, Execution& execution);
@@ -23,6 +23,6 @@ bool hasFlatFaces(const Nodes& nodes, const WallMesh& wall, Execution& execution
 // goes whatever they say, as solvers cannot use it, or a corner becomes the next: returns what was done to cells. What changes
 // is measured, and costs as the rules say. All cells are in zone 0.
 std::vector<MadeEdit> removeFlatFaces(
-  EditStore& store, const EditRules& rules, Execution& execution);
+  EditMesh& whole, const EditRules& rules, Execution& execution);
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/NodeKinds.h"
 
+#include "Editing/MeshEditor.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,10 +12,11 @@ namespace cartesian
 namespace
 {
 
-constexpr double NoArea = 1e-5;         // of a box's side: the direction of such a face is noise
-constexpr double StraightCosine = -0.9; // between the two sharp edges at a node within one
-constexpr double MostLeash = 0.4;       // in boxes
-constexpr double Sagitta = 0.012; // in boxes: how far a node may leave the surface on its leash
+constexpr double NoArea = 1e-5;          // of a box's side: the direction of such a face is noise
+constexpr double StraightCosine = -0.9;  // between the two sharp edges at a node within one
+constexpr double MostDisplacement = 0.4; // in boxes
+constexpr double Sagitta =
+  0.012; // in boxes: how far a node may leave the surface on its maxDisplacement
 constexpr double LeastSine = 1e-3;
 
 constexpr std::size_t NodesAChunk = 1024;
@@ -30,7 +33,7 @@ struct Use
 class KindOfNode
 {
 public:
-  KindOfNode(EditMesh& mesh, const KnownKinds& kinds, double featureAngle)
+  KindOfNode(MeshEditor& mesh, const KnownKinds& kinds, double featureAngle)
     : mesh_(mesh)
     , kinds_(kinds)
     , featureCosine_(std::cos(radians(featureAngle)))
@@ -42,7 +45,7 @@ public:
     list(n);
     EditNode& node = mesh_.rawNode(n);
     const PointKind known = kinds_.of(node.number);
-    node.home = node.at;
+    node.referencePosition = node.at;
     const bool isSheet = listSharp(known) && isOneFan();
     if (uses_.empty())
     {
@@ -54,7 +57,7 @@ public:
         (known == PointKind::OnSurface && !isBorder_)))
     {
       node.kind = NodeKind::OnSurface;
-      node.leash = static_cast<float>(leash(node.along) * edge_);
+      node.maxDisplacement = static_cast<float>(maxDisplacement(node.along) * edge_);
       return;
     }
     node.kind = NodeKind::Corner;
@@ -64,7 +67,7 @@ public:
       const Vector b = unit(minus(mesh_.node(sharp_[1]).at, node.at));
       // At an end of the grid, only the mesh knows whether the edge goes on straight.
       const bool isKnown =
-        node.held == 0 && (known == PointKind::OnEdge || known == PointKind::Corner);
+        node.constrainedAxes == 0 && (known == PointKind::OnEdge || known == PointKind::Corner);
       const bool isStraight = isKnown ? known == PointKind::OnEdge
                                       : known != PointKind::Corner && dot(a, b) < StraightCosine;
       node.kind = isStraight ? NodeKind::OnEdge : NodeKind::Corner;
@@ -199,7 +202,7 @@ private:
   }
 
   // The more the wall is curved, the shorter.
-  double leash(const Vector& along) const
+  double maxDisplacement(const Vector& along) const
   {
     constexpr double LeastArea = 1e-3; // of a box's side
     double sine = LeastSine;
@@ -208,10 +211,10 @@ private:
       const double cosine = std::min(1.0, std::abs(dot(use.normal, along)));
       sine = use.area > LeastArea ? std::max(sine, std::sqrt(1 - cosine * cosine)) : sine;
     }
-    return std::min(MostLeash, Sagitta / sine);
+    return std::min(MostDisplacement, Sagitta / sine);
   }
 
-  EditMesh& mesh_;
+  MeshEditor& mesh_;
   const KnownKinds& kinds_;
   double featureCosine_;
   std::vector<Use> uses_;
@@ -227,10 +230,10 @@ private:
 }
 
 void findNodeKinds(
-  EditStore& store, const KnownKinds& known, double featureAngle, Execution& execution)
+  EditMesh& whole, const KnownKinds& known, double featureAngle, Execution& execution)
 {
-  execution.forEach(store.nodes.size(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
-    EditMesh mesh(store, 0, 0, {});
+  execution.forEach(whole.nodes.size(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
+    MeshEditor mesh(whole, 0, 0, {});
     KindOfNode kind(mesh, known, featureAngle);
     for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
     {

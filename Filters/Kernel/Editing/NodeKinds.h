@@ -23,9 +23,9 @@ struct KnownKinds
   }
 };
 
-// Of all nodes at walls and between regions, once faces are measured: EditNode's kind, along, home and leash. Edges at
+// Of all nodes at walls and between regions, once faces are measured: EditNode's kind, along, home and maxDisplacement. Edges at
 // which two boundaries meet, or by which the wall turns by more than `featureAngle` (degrees), are sharp.
 void findNodeKinds(
-  EditStore& store, const KnownKinds& known, double featureAngle, Execution& execution);
+  EditMesh& whole, const KnownKinds& known, double featureAngle, Execution& execution);
 
 }

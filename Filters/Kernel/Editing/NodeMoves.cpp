@@ -43,8 +43,8 @@ Vector within(const Vector& way, std::uint8_t held)
 // Where the node may go: not across its surface, off its edge or the planes that hold it.
 Vector allowed(const EditNode& node, const Vector& wanted)
 {
-  const Vector way = within(wanted, node.held);
-  const Vector along = within(node.along, node.held);
+  const Vector way = within(wanted, node.constrainedAxes);
+  const Vector along = within(node.along, node.constrainedAxes);
   if (node.kind == NodeKind::OnSurface)
   {
     const double square = dot(along, along);
@@ -58,7 +58,7 @@ Vector allowed(const EditNode& node, const Vector& wanted)
   return way;
 }
 
-double search(const EditMesh& mesh, ProposalTrials& trials, const Descent& descent, double edge,
+double search(const MeshView& mesh, ProposalTrials& trials, const Descent& descent, double edge,
   double least, Proposal& best)
 {
   const EditNode node = mesh.node(descent.node);
@@ -73,7 +73,7 @@ double search(const EditMesh& mesh, ProposalTrials& trials, const Descent& desce
       break;
     }
     const Proposal move{ EditKind::Move, descent.node, 0, 0,
-      onLattice(mesh, plus(node.at, scaled(descent.direction, step)), node.held) };
+      onLattice(mesh, plus(node.at, scaled(descent.direction, step)), node.constrainedAxes) };
     const double gain = trials.gain(move, needed);
     if (gain > NoGain)
     {
@@ -100,7 +100,7 @@ double search(const EditMesh& mesh, ProposalTrials& trials, const Descent& desce
 
 }
 
-double bestMove(EditMesh& mesh, ProposalTrials& trials, const ObjectiveSpec& spec,
+double bestMove(MeshEditor& mesh, ProposalTrials& trials, const ObjectiveSpec& spec,
   const SearchSpec& searchSpec, const FixedList<std::uint32_t, 16>& nodes, double edge,
   double least, Proposal& best)
 {
@@ -112,7 +112,7 @@ double bestMove(EditMesh& mesh, ProposalTrials& trials, const ObjectiveSpec& spe
   for (const std::uint32_t n : nodes)
   {
     const EditNode& node = mesh.node(n);
-    if (node.gone || node.held == HeldFast || node.kind == NodeKind::Corner)
+    if (node.gone || node.constrainedAxes == AllAxes || node.kind == NodeKind::Corner)
     {
       continue;
     }

@@ -9,7 +9,7 @@ namespace cartesian
 
 // Of these nodes, that with the most to gain first; with it what it gains, if that is more than `least`, else NoGain.
 // `edge`: the length of a box's edge there.
-double bestMove(EditMesh& mesh, ProposalTrials& trials, const ObjectiveSpec& spec,
+double bestMove(MeshEditor& mesh, ProposalTrials& trials, const ObjectiveSpec& spec,
   const SearchSpec& search, const FixedList<std::uint32_t, 16>& nodes, double edge, double least,
   Proposal& best);
 

@@ -30,8 +30,8 @@ struct Placed
 class Places
 {
 public:
-  Places(EditStore& store, const ObjectiveSpec& spec)
-    : mesh_(store, 0, 0, {})
+  Places(EditMesh& whole, const ObjectiveSpec& spec)
+    : mesh_(whole, 0, 0, {})
     , spec_(spec)
   {
     for (std::uint32_t n = 0; n < mesh_.nodeCount(); ++n)
@@ -39,7 +39,7 @@ public:
       const EditNode& node = mesh_.node(n);
       if (!node.gone)
       {
-        all_.push_back({ node.at, node.held != HeldFast, n });
+        all_.push_back({ node.at, node.constrainedAxes != AllAxes, n });
       }
     }
   }
@@ -61,7 +61,7 @@ private:
   void move(std::uint32_t n)
   {
     const Vector from = mesh_.node(n).at;
-    const EditStore& store = mesh_.store();
+    const EditMesh& whole = mesh_.mesh();
     for (int steps = 1; steps <= MostSteps; ++steps)
     {
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -69,9 +69,10 @@ private:
         for (const int sign : { 1, -1 })
         {
           Vector to = from;
-          to[axis] += sign * steps * store.level;
-          const bool isInside = to[axis] >= store.low[axis] && to[axis] <= store.high[axis];
-          if ((mesh_.node(n).held >> axis & 1) == 0 && isInside && !isTaken(to) && moveTo(n, to))
+          to[axis] += sign * steps * whole.level;
+          const bool isInside = to[axis] >= whole.low[axis] && to[axis] <= whole.high[axis];
+          if ((mesh_.node(n).constrainedAxes >> axis & 1) == 0 && isInside && !isTaken(to) &&
+            moveTo(n, to))
           {
             taken_.push_back(to);
             return;
@@ -84,13 +85,13 @@ private:
   // False: the mesh is as before.
   bool moveTo(std::uint32_t n, const Vector& to)
   {
-    const EditMesh::Mark mark = mesh_.mark();
+    const MeshEditor::Mark mark = mesh_.mark();
     mesh_.changeNode(n).at = to;
     for (const std::uint32_t f : mesh_.facesAround(n))
     {
-      mesh_.unsettled.faces.add(f);
+      mesh_.dirty.faces.add(f);
     }
-    if (!measureUnsettled(mesh_))
+    if (!measureDirty(mesh_))
     {
       mesh_.undo(mark);
       return false;
@@ -110,7 +111,7 @@ private:
       std::find(taken_.begin(), taken_.end(), at) != taken_.end();
   }
 
-  EditMesh mesh_;
+  MeshEditor mesh_;
   const ObjectiveSpec& spec_;
   std::vector<Placed> all_;
   std::vector<Vector> taken_; // by those that moved: few
@@ -118,9 +119,9 @@ private:
 
 }
 
-void separateNodes(EditStore& store, const ObjectiveSpec& spec, Execution& execution)
+void separateNodes(EditMesh& whole, const ObjectiveSpec& spec, Execution& execution)
 {
-  Places(store, spec).run(execution);
+  Places(whole, spec).run(execution);
 }
 
 }

@@ -10,6 +10,6 @@ namespace cartesian
 
 // Walls that touch may have edits put two nodes at one place. All but one of them then move by as few steps of the lattice as
 // it takes, to a place that is free, where nothing holds them, and all around is measured again.
-void separateNodes(EditStore& store, const ObjectiveSpec& spec, Execution& execution);
+void separateNodes(EditMesh& whole, const ObjectiveSpec& spec, Execution& execution);
 
 }

@@ -19,7 +19,7 @@ constexpr int Rounds = 16;
 constexpr std::size_t ItemsAChunk = 1024;
 
 // Of walls, or of faces between the same two regions; all cells may change.
-bool isAmongFreeWalls(const EditMesh& mesh, std::uint32_t n)
+bool isAmongFreeWalls(const MeshView& mesh, std::uint32_t n)
 {
   const EditNode& node = mesh.node(n);
   if (node.gone || !node.atWall)
@@ -41,25 +41,26 @@ bool isAmongFreeWalls(const EditMesh& mesh, std::uint32_t n)
 
 }
 
-bool isFreeWall(const EditMesh& mesh, std::uint32_t f)
+bool isFreeWall(const MeshView& mesh, std::uint32_t f)
 {
   return !mesh.face(f).gone && mesh.isSurface(f) && mesh.isFree(mesh.face(f).below);
 }
 
-bool maySlide(const EditMesh& mesh, std::uint32_t n)
+bool maySlide(const MeshView& mesh, std::uint32_t n)
 {
   const EditNode& node = mesh.node(n);
-  return node.kind == NodeKind::OnSurface && node.held == 0 && isAmongFreeWalls(mesh, n);
+  return node.kind == NodeKind::OnSurface && node.constrainedAxes == 0 && isAmongFreeWalls(mesh, n);
 }
 
-bool maySlideInPlane(const EditMesh& mesh, std::uint32_t n)
+bool maySlideInPlane(const MeshView& mesh, std::uint32_t n)
 {
   const EditNode& node = mesh.node(n);
-  const bool isInOne = node.held != 0 && (node.held & (node.held - 1)) == 0;
+  const bool isInOne =
+    node.constrainedAxes != 0 && (node.constrainedAxes & (node.constrainedAxes - 1)) == 0;
   return node.kind == NodeKind::OnEdge && isInOne && isAmongFreeWalls(mesh, n);
 }
 
-bool isSmoothAt(const EditMesh& mesh, std::uint32_t n, const Vector& normal)
+bool isSmoothAt(const MeshView& mesh, std::uint32_t n, const Vector& normal)
 {
   const Items faces = mesh.facesAround(n);
   return std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
@@ -68,7 +69,7 @@ bool isSmoothAt(const EditMesh& mesh, std::uint32_t n, const Vector& normal)
   });
 }
 
-Vector normalOfWalls(const EditMesh& mesh, std::uint32_t n)
+Vector normalOfWalls(const MeshView& mesh, std::uint32_t n)
 {
   Vector sum{};
   for (const std::uint32_t f : mesh.facesAround(n))
@@ -81,13 +82,13 @@ Vector normalOfWalls(const EditMesh& mesh, std::uint32_t n)
 }
 
 NodeShifts::NodeShifts(
-  EditStore& store, const ObjectiveSpec& spec, double mostCost, Execution& execution)
-  : store_(store)
-  , mesh_(store, 0, 0, {})
+  EditMesh& whole, const ObjectiveSpec& spec, double mostCost, Execution& execution)
+  : whole_(whole)
+  , mesh_(whole, 0, 0, {})
   , spec_(spec)
   , mostCost_(mostCost)
   , execution_(execution)
-  , shifts_(store.nodes.size())
+  , shifts_(whole.nodes.size())
 {
   forEach(shifts_.size(), [&](std::uint32_t n) {
     shifts_[n] = {};
@@ -123,7 +124,7 @@ void NodeShifts::make()
     }
   });
   measure(near_);
-  isPoor_.assign(store_.faces.size(), 0);
+  isPoor_.assign(whole_.faces.size(), 0);
   findPoor(near_);
   for (int round = 0; round < Rounds && takeBack(round); ++round)
   {
@@ -138,10 +139,10 @@ void NodeShifts::make()
 void NodeShifts::place(std::uint32_t n)
 {
   const Shift& shift = shifts_[n];
-  EditNode& node = store_.nodes[n];
+  EditNode& node = whole_.nodes[n];
   node.at = shift.part == 0
     ? shift.before
-    : onLattice(mesh_, plus(shift.before, scaled(shift.way, shift.part)), node.held);
+    : onLattice(mesh_, plus(shift.before, scaled(shift.way, shift.part)), node.constrainedAxes);
 }
 
 // Of nodes that move, or of some of them.
@@ -150,12 +151,12 @@ void NodeShifts::find(Reach& reach, bool Shift::*isTakenBack)
   const auto isMeant = [&](std::uint32_t n) {
     return isTakenBack ? shifts_[n].*isTakenBack : hasMoved(n);
   };
-  reach.faces.assign(store_.faces.size(), 0);
+  reach.faces.assign(whole_.faces.size(), 0);
   forEach(reach.faces.size(), [&](std::uint32_t f) {
     const Items ring = mesh_.cornersOf(f);
     reach.faces[f] = !mesh_.face(f).gone && std::any_of(ring.begin(), ring.end(), isMeant) ? 1 : 0;
   });
-  reach.cells.assign(store_.cells.size(), 0);
+  reach.cells.assign(whole_.cells.size(), 0);
   forEach(reach.cells.size(), [&](std::uint32_t c) {
     const Items faces = mesh_.facesOf(c);
     reach.cells[c] = mesh_.isFree(c) &&
@@ -172,14 +173,14 @@ void NodeShifts::measure(const Reach& reach)
   forEach(reach.faces.size(), [&](std::uint32_t f) {
     if (reach.faces[f] != 0)
     {
-      EditMesh mesh(store_, 0, 0, {});
+      MeshEditor mesh(whole_, 0, 0, {});
       measureFace(mesh, f);
     }
   });
   forEach(reach.cells.size(), [&](std::uint32_t c) {
     if (reach.cells[c] != 0)
     {
-      EditMesh mesh(store_, 0, 0, {});
+      MeshEditor mesh(whole_, 0, 0, {});
       measureCell(mesh, c);
     }
   });
@@ -251,14 +252,14 @@ void NodeShifts::setCosts()
   forEach(near_.cells.size(), [&](std::uint32_t c) {
     if (near_.cells[c] != 0)
     {
-      EditMesh mesh(store_, 0, 0, {});
+      MeshEditor mesh(whole_, 0, 0, {});
       setCostOfCell(mesh, c);
     }
   });
   forEach(near_.faces.size(), [&](std::uint32_t f) {
     if (dependsOn(near_, f))
     {
-      EditMesh mesh(store_, 0, 0, {});
+      MeshEditor mesh(whole_, 0, 0, {});
       setCostOfFace(mesh, f, spec_);
     }
   });
@@ -297,11 +298,11 @@ double NodeShifts::sweptBy(std::uint32_t f) const
 
 void NodeShifts::passOver()
 {
-  forEach(store_.faces.size(), [&](std::uint32_t f) {
-    EditFace& face = store_.faces[f];
+  forEach(whole_.faces.size(), [&](std::uint32_t f) {
+    EditFace& face = whole_.faces[f];
     if (!face.gone && isSurface(face) && near_.faces[f] != 0)
     {
-      face.debt -= sweptBy(f);
+      face.volumeDeficit -= sweptBy(f);
     }
   });
 }

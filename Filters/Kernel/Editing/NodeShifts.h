@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Acceptance/WallObjective.h"
-#include "Editing/EditMesh.h"
+#include "Editing/MeshEditor.h"
 
 #include <functional>
 
@@ -12,25 +12,25 @@ namespace cartesian
 {
 
 // A wall, also between two regions, of a cell that may change.
-bool isFreeWall(const EditMesh& mesh, std::uint32_t f);
+bool isFreeWall(const MeshView& mesh, std::uint32_t f);
 
 // Whether a node is on smooth walls, or between the same two regions all around, and only of cells that may change.
-bool maySlide(const EditMesh& mesh, std::uint32_t n);
+bool maySlide(const MeshView& mesh, std::uint32_t n);
 
 // Whether it is where such walls end at one end of the grid, as at a plane of symmetry: it may move in that.
-bool maySlideInPlane(const EditMesh& mesh, std::uint32_t n);
+bool maySlideInPlane(const MeshView& mesh, std::uint32_t n);
 
-// The mean of its walls' (EditMesh::signOf), of length 1; ends of the grid are left out.
-Vector normalOfWalls(const EditMesh& mesh, std::uint32_t n);
+// The mean of its walls' (MeshEditor::signOf), of length 1; ends of the grid are left out.
+Vector normalOfWalls(const MeshView& mesh, std::uint32_t n);
 
 // Whether none of its walls turns far from that.
-bool isSmoothAt(const EditMesh& mesh, std::uint32_t n, const Vector& normal);
+bool isSmoothAt(const MeshView& mesh, std::uint32_t n, const Vector& normal);
 
 class NodeShifts
 {
 public:
   // `mostCost`: how much more a face may cost than before; it does not fail if it did not.
-  NodeShifts(EditStore& store, const ObjectiveSpec& spec, double mostCost, Execution& execution);
+  NodeShifts(EditMesh& whole, const ObjectiveSpec& spec, double mostCost, Execution& execution);
 
   // Calls way(node) for all nodes; 0: it stays.
   void plan(const std::function<Vector(std::uint32_t)>& way);
@@ -70,8 +70,8 @@ private:
   void passOver();
   double sweptBy(std::uint32_t f) const;
 
-  EditStore& store_;
-  const EditMesh mesh_; // to read from
+  EditMesh& whole_;
+  const MeshEditor mesh_; // to read from
   const ObjectiveSpec& spec_;
   const double mostCost_;
   Execution& execution_;

@@ -3,7 +3,7 @@
 
 #include "Base/EdgeTable.h"
 #include "Base/Sorting.h"
-#include "Editing/WallRing.h"
+#include "Editing/NearWallSelection.h"
 
 #include <algorithm>
 

@@ -24,17 +24,17 @@ bool copy(Items items, Few& list)
   return true;
 }
 
-bool isFrozen(const EditMesh& mesh, std::uint32_t c)
+bool isFrozen(const MeshView& mesh, std::uint32_t c)
 {
   return c != None && !mesh.isFree(c);
 }
 
-bool touchesFrozen(const EditMesh& mesh, std::uint32_t f)
+bool touchesFrozen(const MeshView& mesh, std::uint32_t f)
 {
   return isFrozen(mesh, mesh.face(f).below) || isFrozen(mesh, mesh.face(f).above);
 }
 
-bool haveSameCorners(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+bool haveSameCorners(const MeshView& mesh, std::uint32_t f, std::uint32_t g)
 {
   const Items corners = mesh.cornersOf(f);
   const Items others = mesh.cornersOf(g);
@@ -43,14 +43,14 @@ bool haveSameCorners(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
       [&](std::uint32_t n) { return placeOf(others, n) < others.size(); });
 }
 
-void touch(EditMesh& mesh, std::uint32_t c)
+void touch(MeshEditor& mesh, std::uint32_t c)
 {
-  mesh.unsettled.cells.add(c);
-  mesh.unsettled.shapes.add(c);
+  mesh.dirty.cells.add(c);
+  mesh.dirty.shapes.add(c);
 }
 
 // A cell between two faces of the same corners goes: one face is left of two, between what was beyond them, or none.
-bool dropFlat(EditMesh& mesh, std::uint32_t c)
+bool dropFlat(MeshEditor& mesh, std::uint32_t c)
 {
   const Items faces = mesh.facesOf(c);
   if (faces.size() != 2)
@@ -94,14 +94,14 @@ bool dropFlat(EditMesh& mesh, std::uint32_t c)
     makeWall(mesh, stays, c, wall.wall);
     EditFace& face = mesh.changeFace(stays);
     face.original = wall.original;
-    face.debt = wall.debt;
-    face.strayed = wall.strayed;
+    face.volumeDeficit = wall.volumeDeficit;
+    face.accumulatedDeviation = wall.accumulatedDeviation;
   }
   else
   {
     mesh.giveFace(stays, c, y);
     mesh.addFaceTo(y, stays);
-    mesh.unsettled.faces.add(stays);
+    mesh.dirty.faces.add(stays);
     EditFace& face = mesh.changeFace(stays);
     face.wall = std::max(face.wall, wall.wall);
   }
@@ -111,7 +111,7 @@ bool dropFlat(EditMesh& mesh, std::uint32_t c)
 }
 
 // Takes u out of the corners of its faces, for v. Faces of two corners are left as `flat`.
-bool replaceNode(EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Few& faces, Few& flat)
+bool replaceNode(MeshEditor& mesh, std::uint32_t u, std::uint32_t v, const Few& faces, Few& flat)
 {
   for (const std::uint32_t f : faces)
   {
@@ -141,7 +141,7 @@ bool replaceNode(EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Few& fa
 }
 
 // Whether u and v follow each other in every face that has both.
-bool isEdgeEverywhere(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+bool isEdgeEverywhere(const MeshView& mesh, std::uint32_t u, std::uint32_t v)
 {
   const Items faces = mesh.facesAround(u);
   return std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
@@ -227,7 +227,7 @@ std::size_t placeOf(Items corners, std::uint32_t n)
   return static_cast<std::size_t>(std::find(corners.begin(), corners.end(), n) - corners.begin());
 }
 
-Vector onLattice(const EditMesh& mesh, const Vector& place, std::uint8_t held)
+Vector onLattice(const MeshView& mesh, const Vector& place, std::uint8_t held)
 {
   Vector rounded = place;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -242,7 +242,7 @@ Vector onLattice(const EditMesh& mesh, const Vector& place, std::uint8_t held)
   return rounded;
 }
 
-bool collapseEdge(EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Vector& at)
+bool collapseEdge(MeshEditor& mesh, std::uint32_t u, std::uint32_t v, const Vector& at)
 {
   Few faces;
   Few flat;
@@ -285,7 +285,7 @@ bool collapseEdge(EditMesh& mesh, std::uint32_t u, std::uint32_t v, const Vector
   return true;
 }
 
-bool joinFaces(EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+bool joinFaces(MeshEditor& mesh, std::uint32_t f, std::uint32_t g)
 {
   const EditFace x = mesh.face(f);
   const EditFace y = mesh.face(g);
@@ -323,12 +323,12 @@ bool joinFaces(EditMesh& mesh, std::uint32_t f, std::uint32_t g)
   mesh.setCorners(f, ring.data(), ring.size());
   EditFace& face = mesh.changeFace(f);
   face.original = isSame ? plus(x.original, y.original) : minus(x.original, y.original);
-  face.debt = x.debt + y.debt;
-  face.strayed = std::max(x.strayed, y.strayed);
+  face.volumeDeficit = x.volumeDeficit + y.volumeDeficit;
+  face.accumulatedDeviation = std::max(x.accumulatedDeviation, y.accumulatedDeviation);
   return true;
 }
 
-bool passFace(EditMesh& mesh, std::uint32_t c, std::uint32_t f, std::uint32_t g)
+bool passFace(MeshEditor& mesh, std::uint32_t c, std::uint32_t f, std::uint32_t g)
 {
   const EditFace over = mesh.face(f);
   const EditFace passed = mesh.face(g);
@@ -364,11 +364,11 @@ bool passFace(EditMesh& mesh, std::uint32_t c, std::uint32_t f, std::uint32_t g)
   }
   mesh.setFaces(c, kept.data(), kept.size());
   mesh.addFaceTo(to, g);
-  mesh.unsettled.faces.add(g);
+  mesh.dirty.faces.add(g);
   return true;
 }
 
-std::uint32_t splitFace(EditMesh& mesh, std::uint32_t f, std::size_t i, std::size_t j)
+std::uint32_t splitFace(MeshEditor& mesh, std::uint32_t f, std::size_t i, std::size_t j)
 {
   Few ring;
   if (touchesFrozen(mesh, f) || !copy(mesh.cornersOf(f), ring))
@@ -395,7 +395,7 @@ std::uint32_t splitFace(EditMesh& mesh, std::uint32_t f, std::size_t i, std::siz
     cut.push(ring[k % size]);
   }
   EditFace made = mesh.face(f);
-  const double part = 0.5; // of the debt, until both are measured
+  const double part = 0.5; // of the deficit, until both are measured
   made.cost = 0;
   made.behind = 0;
   made.fails = 0;
@@ -403,13 +403,13 @@ std::uint32_t splitFace(EditMesh& mesh, std::uint32_t f, std::size_t i, std::siz
   made.inverted = 0;
   made.skew = false;
   made.number = None;
-  made.debt *= part;
+  made.volumeDeficit *= part;
   mesh.setCorners(f, kept.data(), kept.size());
-  mesh.changeFace(f).debt *= part;
+  mesh.changeFace(f).volumeDeficit *= part;
   return mesh.makeFace(made, cut.data(), cut.size());
 }
 
-bool mergeCells(EditMesh& mesh, std::uint32_t a, std::uint32_t b)
+bool mergeCells(MeshEditor& mesh, std::uint32_t a, std::uint32_t b)
 {
   Few ofB;
   Few kept;
@@ -449,13 +449,13 @@ bool mergeCells(EditMesh& mesh, std::uint32_t a, std::uint32_t b)
     }
   }
   EditCell& merged = mesh.changeCell(a);
-  merged.misses = static_cast<std::int16_t>(merged.misses + mesh.cell(b).misses);
+  merged.eulerDefect = static_cast<std::int16_t>(merged.eulerDefect + mesh.cell(b).eulerDefect);
   mesh.removeCell(b);
   mesh.setFaces(a, kept.data(), kept.size());
   return true;
 }
 
-void makeWall(EditMesh& mesh, std::uint32_t f, std::uint32_t without, std::int32_t wall)
+void makeWall(MeshEditor& mesh, std::uint32_t f, std::uint32_t without, std::int32_t wall)
 {
   EditFace& face = mesh.changeFace(f);
   if (face.below == without)
@@ -471,16 +471,16 @@ void makeWall(EditMesh& mesh, std::uint32_t f, std::uint32_t without, std::int32
   face.wall = wall;
   face.behind = 0;
   face.original = Vector{};
-  face.debt = 0;
-  mesh.unsettled.faces.add(f);
-  mesh.unsettled.shapes.add(face.below);
+  face.volumeDeficit = 0;
+  mesh.dirty.faces.add(f);
+  mesh.dirty.shapes.add(face.below);
   for (const std::uint32_t n : mesh.cornersOf(f))
   {
     mesh.changeNode(n).atWall = true;
   }
 }
 
-bool removeCell(EditMesh& mesh, std::uint32_t c)
+bool removeCell(MeshEditor& mesh, std::uint32_t c)
 {
   Few faces;
   if (!mesh.isFree(c) || !copy(mesh.facesOf(c), faces))
@@ -510,8 +510,8 @@ bool removeCell(EditMesh& mesh, std::uint32_t c)
       {
         node.kind = NodeKind::OnSurface;
         node.along = unit(outward);
-        node.home = node.at;
-        node.leash = LeashOfNewWalls * static_cast<float>(mesh.cell(x).edge);
+        node.referencePosition = node.at;
+        node.maxDisplacement = DisplacementOfNewWalls * static_cast<float>(mesh.cell(x).edge);
       }
     }
   }

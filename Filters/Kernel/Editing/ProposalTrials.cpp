@@ -35,14 +35,14 @@ FixedList<std::uint32_t, Capacity> copyOf(Items items)
   return list;
 }
 
-bool isPartToMerge(const EditMesh& mesh, std::uint32_t part)
+bool isPartToMerge(const MeshView& mesh, std::uint32_t part)
 {
   const EditCell& cell = mesh.cell(part);
-  return !cell.gone && cell.volume <= PartToMerge * cell.box;
+  return !cell.gone && cell.volume <= PartToMerge * cell.boxVolume;
 }
 
 // Whether all faces around a node have it between the same two others.
-bool isBetween(const EditMesh& mesh, std::uint32_t n, std::uint32_t p, std::uint32_t q)
+bool isBetween(const MeshView& mesh, std::uint32_t n, std::uint32_t p, std::uint32_t q)
 {
   const Items faces = mesh.facesAround(n);
   return std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
@@ -57,7 +57,7 @@ bool isBetween(const EditMesh& mesh, std::uint32_t n, std::uint32_t p, std::uint
 }
 
 template <class Edit>
-bool ProposalTrials::alsoMake(Edit&& edit)
+bool ProposalTrials::applyIfGain(Edit&& edit)
 {
   constexpr std::size_t EditsAPoll = 8; // one takes up to 20 ms in a cell with very many walls
   if (poll_ != nullptr && ++count_ % EditsAPoll == 0)
@@ -67,10 +67,10 @@ bool ProposalTrials::alsoMake(Edit&& edit)
   const double before = gainOf(mesh_, rules_.spec, box_);
   const double needed = needed_;
   const double aim = aim_;
-  const EditMesh::Mark mark = mesh_.mark();
+  const MeshEditor::Mark mark = mesh_.mark();
   aim_ = before + LeastGainOfMore;
   needed_ = aim_;
-  const bool isMade = edit() && settle() && gainOf(mesh_, rules_.spec, box_) > aim_;
+  const bool isMade = edit() && updateAndValidate() && gainOf(mesh_, rules_.spec, box_) > aim_;
   isMade ? mesh_.keep(mark) : mesh_.undo(mark);
   needed_ = needed;
   aim_ = aim;
@@ -78,7 +78,7 @@ bool ProposalTrials::alsoMake(Edit&& edit)
 }
 
 template <class Edit>
-bool ProposalTrials::withoutLimit(Edit&& edit)
+bool ProposalTrials::applyUnchecked(Edit&& edit)
 {
   const double needed = needed_;
   needed_ = NoGain;
@@ -96,7 +96,7 @@ double ProposalTrials::gain(const Proposal& proposal, double least)
 double ProposalTrials::gainOrMake(
   const Proposal& proposal, double least, double enough, bool& isMade)
 {
-  const EditMesh::Mark mark = mesh_.mark();
+  const MeshEditor::Mark mark = mesh_.mark();
   aim_ = least;
   needed_ = least;
   const double gained = apply(proposal) ? decide(mesh_, rules_, mark, box_, least) : NoGain;
@@ -121,10 +121,10 @@ bool ProposalTrials::apply(const Proposal& proposal)
   switch (proposal.kind)
   {
     case EditKind::Collapse:
-      return collapse(proposal.a, proposal.b, proposal.at) && settle();
+      return collapse(proposal.a, proposal.b, proposal.at) && updateAndValidate();
     case EditKind::Join:
-      return withoutLimit([&] {
-        if (!join(proposal.a, proposal.b) || !settle())
+      return applyUnchecked([&] {
+        if (!join(proposal.a, proposal.b) || !updateAndValidate())
         {
           return false;
         }
@@ -133,22 +133,22 @@ bool ProposalTrials::apply(const Proposal& proposal)
       });
     case EditKind::Merge:
       return mayMerge(mesh_, rules_, proposal.a, proposal.b) &&
-        withoutLimit([&] { return merge(proposal.a, proposal.b); });
+        applyUnchecked([&] { return merge(proposal.a, proposal.b); });
     case EditKind::Remove:
-      return rules_.mayChangeWalls && withoutLimit([&] { return remove(proposal.a); });
+      return rules_.mayChangeWalls && applyUnchecked([&] { return remove(proposal.a); });
     case EditKind::Move:
       if (!mayMove(mesh_, rules_, proposal.a, proposal.at))
       {
         return false;
       }
       mesh_.moveNode(proposal.a, proposal.at);
-      return settle();
+      return updateAndValidate();
     case EditKind::SplitFace:
-      return splitFace(mesh_, proposal.a, proposal.b, proposal.c) != None && settle();
+      return splitFace(mesh_, proposal.a, proposal.b, proposal.c) != None && updateAndValidate();
     case EditKind::Flatten:
-      return rules_.mayCut && withoutLimit([&] { return flatten(proposal.a); });
+      return rules_.mayCut && applyUnchecked([&] { return flatten(proposal.a); });
     case EditKind::Cut:
-      return rules_.mayCut && withoutLimit([&] { return cut(proposal); });
+      return rules_.mayCut && applyUnchecked([&] { return cut(proposal); });
   }
   return false;
 }
@@ -160,7 +160,7 @@ bool ProposalTrials::collapse(std::uint32_t u, std::uint32_t v, const Vector& at
   {
     return false;
   }
-  mesh_.ledger.fidelity += charge;
+  mesh_.delta.fidelity += charge;
   return true;
 }
 
@@ -171,20 +171,20 @@ bool ProposalTrials::join(std::uint32_t f, std::uint32_t g)
   {
     return false;
   }
-  mesh_.ledger.fidelity += charge;
+  mesh_.delta.fidelity += charge;
   return true;
 }
 
 bool ProposalTrials::merge(std::uint32_t a, std::uint32_t b)
 {
   const Faces ofB = copyOf<MostFaces>(mesh_.facesOf(b));
-  return mergeCells(mesh_, a, b) && settle() && joinFacesOf(a, ofB);
+  return mergeCells(mesh_, a, b) && updateAndValidate() && joinFacesOf(a, ofB);
 }
 
 bool ProposalTrials::remove(std::uint32_t c)
 {
   const Neighbours neighbours = largestNeighbours(mesh_, c);
-  if (!removeCell(mesh_, c) || !settle())
+  if (!removeCell(mesh_, c) || !updateAndValidate())
   {
     return false;
   }
@@ -202,7 +202,7 @@ bool ProposalTrials::cut(const Proposal& proposal)
 {
   CutParts parts;
   const CutPlane plane{ proposal.at, proposal.normal, CutTolerance * mesh_.cell(proposal.a).edge };
-  if (!cutCell(mesh_, proposal.a, plane, parts) || !settle())
+  if (!cutCell(mesh_, proposal.a, plane, parts) || !updateAndValidate())
   {
     return false;
   }
@@ -254,7 +254,7 @@ bool ProposalTrials::flatten(std::uint32_t f)
       }
     }
   }
-  if (joined == 0 || !settle())
+  if (joined == 0 || !updateAndValidate())
   {
     return false;
   }
@@ -276,7 +276,7 @@ void ProposalTrials::mergePart(std::uint32_t part, const CutParts& parts)
     {
       continue;
     }
-    if (alsoMake([&] { return withoutLimit([&] { return merge(neighbour, part); }); }))
+    if (applyIfGain([&] { return applyUnchecked([&] { return merge(neighbour, part); }); }))
     {
       return;
     }
@@ -313,7 +313,7 @@ bool ProposalTrials::joinFacesOf(std::uint32_t c, const Faces& which)
   for (const auto& [f, g] : pairs)
   {
     if (!mesh_.face(f).gone && !mesh_.face(g).gone && couldJoin(mesh_, f, g, c) &&
-      alsoMake([&, f = f, g = g] { return join(g, f); }))
+      applyIfGain([&, f = f, g = g] { return join(g, f); }))
     {
       dissolveNodes(g);
     }
@@ -347,7 +347,7 @@ bool ProposalTrials::dissolveNode(std::uint32_t f, std::size_t& tries)
       return false;
     }
     const std::uint32_t to = mesh_.node(p).atWall || !mesh_.node(q).atWall ? p : q;
-    if (alsoMake(
+    if (applyIfGain(
           [&] { return collapse(n, to, placeKeepingArea(mesh_, n, to, mesh_.node(to).at)); }))
     {
       return true;

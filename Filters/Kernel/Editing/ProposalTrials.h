@@ -13,7 +13,7 @@ namespace cartesian
 class ProposalTrials
 {
 public:
-  ProposalTrials(EditMesh& mesh, const EditRules& rules)
+  ProposalTrials(MeshEditor& mesh, const EditRules& rules)
     : mesh_(mesh)
     , rules_(rules)
   {
@@ -23,7 +23,7 @@ public:
   void setPoll(const std::function<void()>& poll) { poll_ = &poll; }
 
   // In which volumes are measured: those of the cell's box.
-  void setBox(std::uint32_t cell) { box_ = mesh_.cell(cell).box; }
+  void setBox(std::uint32_t cell) { box_ = mesh_.cell(cell).boxVolume; }
 
   // What a proposal gains, or NoGain: not more than `least`. The mesh stays as it is.
   double gain(const Proposal& proposal, double least);
@@ -44,22 +44,25 @@ private:
   bool flatten(std::uint32_t f);
   bool mayGainOfMerges(const FixedList<std::uint32_t, 16>& parts, std::size_t count) const;
   void mergePart(std::uint32_t part, const FixedList<std::uint32_t, 16>& parts);
-  bool settle() { return cartesian::settle(mesh_, rules_.spec, { needed_, box_ }); }
+  bool updateAndValidate()
+  {
+    return cartesian::updateAndValidate(mesh_, rules_.spec, { needed_, box_ });
+  }
 
   // Makes a further edit if it gains by itself.
   template <class Edit>
-  bool alsoMake(Edit&& edit);
+  bool applyIfGain(Edit&& edit);
 
   // Whatever it gains by itself, since more follows.
   template <class Edit>
-  bool withoutLimit(Edit&& edit);
+  bool applyUnchecked(Edit&& edit);
 
   using Faces = FixedList<std::uint32_t, 128>;
   bool joinFacesOf(std::uint32_t c, const Faces& which);
   void dissolveNodes(std::uint32_t f);
   bool dissolveNode(std::uint32_t f, std::size_t& tries);
 
-  EditMesh& mesh_;
+  MeshEditor& mesh_;
   const EditRules& rules_;
   const std::function<void()>* poll_ = nullptr;
   std::size_t count_ = 0; // of further edits

@@ -32,17 +32,17 @@ constexpr std::size_t BestChords = 2;
 constexpr double LeastStarOfPart = 0.05;
 constexpr std::size_t MostFacesToCut = 100;
 
-double edgeAt(const EditMesh& mesh, std::uint32_t f)
+double edgeAt(const MeshView& mesh, std::uint32_t f)
 {
   return mesh.cell(mesh.face(f).below).edge;
 }
 
-double shareOf(const EditMesh& mesh, std::uint32_t c)
+double shareOf(const MeshView& mesh, std::uint32_t c)
 {
-  return mesh.cell(c).volume / mesh.cell(c).box;
+  return mesh.cell(c).volume / mesh.cell(c).boxVolume;
 }
 
-void proposeMerges(const EditMesh& mesh, std::uint32_t c, std::size_t most, Proposals& proposals)
+void proposeMerges(const MeshView& mesh, std::uint32_t c, std::size_t most, Proposals& proposals)
 {
   if (!mesh.isFree(c))
   {
@@ -66,7 +66,7 @@ void proposeMerges(const EditMesh& mesh, std::uint32_t c, std::size_t most, Prop
   }
 }
 
-void proposeCollapse(const EditMesh& mesh, const SearchSpec& search, double edge, std::uint32_t u,
+void proposeCollapse(const MeshView& mesh, const SearchSpec& search, double edge, std::uint32_t u,
   std::uint32_t v, Proposals& proposals)
 {
   const EditNode& a = mesh.node(u);
@@ -76,11 +76,11 @@ void proposeCollapse(const EditMesh& mesh, const SearchSpec& search, double edge
   {
     return;
   }
-  if (a.kind == b.kind && a.kind != NodeKind::Corner && a.held == b.held)
+  if (a.kind == b.kind && a.kind != NodeKind::Corner && a.constrainedAxes == b.constrainedAxes)
   {
     proposals.push_back({ EditKind::Collapse, std::min(u, v), std::max(u, v), 0,
       placeKeepingArea(mesh, std::min(u, v), std::max(u, v),
-        onLattice(mesh, scaled(plus(a.at, b.at), 0.5), a.held)) });
+        onLattice(mesh, scaled(plus(a.at, b.at), 0.5), a.constrainedAxes)) });
     if (length < ShortEdge * edge)
     {
       return;
@@ -97,7 +97,7 @@ void proposeCollapse(const EditMesh& mesh, const SearchSpec& search, double edge
 }
 
 void proposeShortEdges(
-  const EditMesh& mesh, const SearchSpec& search, std::uint32_t f, Proposals& proposals)
+  const MeshView& mesh, const SearchSpec& search, std::uint32_t f, Proposals& proposals)
 {
   const Items ring = mesh.cornersOf(f);
   FixedList<std::pair<double, std::size_t>, 64> edges;
@@ -119,7 +119,7 @@ void proposeShortEdges(
   }
 }
 
-void proposeJoins(const EditMesh& mesh, std::uint32_t f, Proposals& proposals)
+void proposeJoins(const MeshView& mesh, std::uint32_t f, Proposals& proposals)
 {
   const std::uint32_t c = mesh.face(f).below;
   for (const std::uint32_t g : mesh.facesOf(c))
@@ -131,7 +131,7 @@ void proposeJoins(const EditMesh& mesh, std::uint32_t f, Proposals& proposals)
   }
 }
 
-void proposeRemoval(const EditMesh& mesh, std::uint32_t c, double share, Proposals& proposals)
+void proposeRemoval(const MeshView& mesh, std::uint32_t c, double share, Proposals& proposals)
 {
   if (mesh.isFree(c) && shareOf(mesh, c) < share && couldRemove(mesh, c))
   {
@@ -148,7 +148,7 @@ struct Chord
 };
 
 // Of a part of a face, from corner i to corner j: the smallest triangle around its mean, by the mean one; NoGain if too small.
-double starOfPart(const EditMesh& mesh, std::uint32_t f, std::size_t i, std::size_t j)
+double starOfPart(const MeshView& mesh, std::uint32_t f, std::size_t i, std::size_t j)
 {
   const std::size_t size = mesh.face(f).corners.size;
   const std::size_t count = (j + size - i) % size + 1;
@@ -174,7 +174,7 @@ double starOfPart(const EditMesh& mesh, std::uint32_t f, std::size_t i, std::siz
   return sum > LeastArea * edge * edge ? least * double(count) / sum : NoGain;
 }
 
-void proposeSplits(const EditMesh& mesh, std::uint32_t f, Proposals& proposals)
+void proposeSplits(const MeshView& mesh, std::uint32_t f, Proposals& proposals)
 {
   const EditFace& face = mesh.face(f);
   const std::size_t size = face.corners.size;
@@ -224,13 +224,13 @@ struct ReentrantEdge
 
 using ReentrantEdges = FixedList<ReentrantEdge, 64>;
 
-Vector outOf(const EditMesh& mesh, std::uint32_t c, std::uint32_t f)
+Vector outOf(const MeshView& mesh, std::uint32_t c, std::uint32_t f)
 {
   return scaled(unit(mesh.face(f).area), mesh.face(f).below == c ? 1 : -1);
 }
 
 void addReentrant(
-  const EditMesh& mesh, std::uint32_t c, std::uint32_t f, std::uint32_t g, ReentrantEdges& edges)
+  const MeshView& mesh, std::uint32_t c, std::uint32_t f, std::uint32_t g, ReentrantEdges& edges)
 {
   const Vector one = outOf(mesh, c, f);
   const Vector other = outOf(mesh, c, g);
@@ -258,7 +258,7 @@ void addReentrant(
 }
 
 void proposeCuts(
-  const EditMesh& mesh, const SearchSpec& search, std::uint32_t c, Proposals& proposals)
+  const MeshView& mesh, const SearchSpec& search, std::uint32_t c, Proposals& proposals)
 {
   const Items faces = mesh.facesOf(c);
   if (!mesh.isFree(c) || faces.size() > MostFacesToCut)
@@ -291,7 +291,7 @@ void proposeCuts(
 }
 
 void proposeCutsOfFailing(
-  const EditMesh& mesh, const SearchSpec& search, std::uint32_t f, Proposals& proposals)
+  const MeshView& mesh, const SearchSpec& search, std::uint32_t f, Proposals& proposals)
 {
   const EditFace& face = mesh.face(f);
   if (mesh.isWall(f))
@@ -329,7 +329,7 @@ void arrange(Proposals& proposals)
 
 }
 
-Neighbours largestNeighbours(const EditMesh& mesh, std::uint32_t c)
+Neighbours largestNeighbours(const MeshView& mesh, std::uint32_t c)
 {
   FixedList<std::pair<double, std::uint32_t>, 64> found;
   for (const std::uint32_t f : mesh.facesOf(c))
@@ -359,10 +359,10 @@ Neighbours largestNeighbours(const EditMesh& mesh, std::uint32_t c)
   return neighbours;
 }
 
-bool couldRemove(const EditMesh& mesh, std::uint32_t c)
+bool couldRemove(const MeshView& mesh, std::uint32_t c)
 {
   constexpr double Any = 1e30;
-  if (shareOf(mesh, c) >= ratioOf(mesh.store().small, mesh.cell(c).wall, Any))
+  if (shareOf(mesh, c) >= ratioOf(mesh.mesh().small, mesh.cell(c).wall, Any))
   {
     return false;
   }
@@ -373,14 +373,14 @@ bool couldRemove(const EditMesh& mesh, std::uint32_t c)
     !isThinThere(mesh, c) && !isBridge(mesh, c);
 }
 
-bool couldJoin(const EditMesh& mesh, std::uint32_t f, std::uint32_t g, std::uint32_t c)
+bool couldJoin(const MeshView& mesh, std::uint32_t f, std::uint32_t g, std::uint32_t c)
 {
   return mesh.beyond(f, c) == mesh.beyond(g, c) && mesh.face(f).wall == mesh.face(g).wall &&
     (!mesh.isSurface(f) || cosineBetween(mesh, f, g) >= JoinCosine) && areAdjacent(mesh, f, g);
 }
 
 void proposeForFace(
-  const EditMesh& mesh, const SearchSpec& search, std::uint32_t f, Proposals& proposals)
+  const MeshView& mesh, const SearchSpec& search, std::uint32_t f, Proposals& proposals)
 {
   const EditFace& face = mesh.face(f);
   for (const std::uint32_t c : { face.below, face.above })
@@ -410,7 +410,7 @@ void proposeForFace(
 }
 
 void proposeForCell(
-  const EditMesh& mesh, const SearchSpec& search, std::uint32_t c, Proposals& proposals)
+  const MeshView& mesh, const SearchSpec& search, std::uint32_t c, Proposals& proposals)
 {
   constexpr std::size_t AllNeighbours = 6;
   proposeMerges(mesh, c, AllNeighbours, proposals);

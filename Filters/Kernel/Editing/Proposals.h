@@ -49,19 +49,19 @@ struct SearchSpec
 using Proposals = std::vector<Proposal>;
 
 void proposeForFace(
-  const EditMesh& mesh, const SearchSpec& search, std::uint32_t f, Proposals& proposals);
+  const MeshView& mesh, const SearchSpec& search, std::uint32_t f, Proposals& proposals);
 void proposeForCell(
-  const EditMesh& mesh, const SearchSpec& search, std::uint32_t c, Proposals& proposals);
+  const MeshView& mesh, const SearchSpec& search, std::uint32_t c, Proposals& proposals);
 
 // The free cells beside a cell, those with the largest area between them first.
 using Neighbours = FixedList<std::uint32_t, 64>;
-Neighbours largestNeighbours(const EditMesh& mesh, std::uint32_t c);
+Neighbours largestNeighbours(const MeshView& mesh, std::uint32_t c);
 
 // Whether a cell may be removed as far as its place goes: at a wall, at no other region; the body is not as thin there, and
 // its boundary's own ratio allows it.
-bool couldRemove(const EditMesh& mesh, std::uint32_t c);
+bool couldRemove(const MeshView& mesh, std::uint32_t c);
 
 // Whether faces may be joined as far as their place goes: adjacent, between the same cells, walls not across a sharp turn.
-bool couldJoin(const EditMesh& mesh, std::uint32_t f, std::uint32_t g, std::uint32_t c);
+bool couldJoin(const MeshView& mesh, std::uint32_t f, std::uint32_t g, std::uint32_t c);
 
 }

@@ -28,7 +28,7 @@ constexpr std::size_t MostOfEdges = 14;
 constexpr std::size_t MostCoarse = 3;
 constexpr std::size_t MostMerges = 3;
 
-bool isBad(const EditMesh& mesh, std::uint32_t f, std::uint32_t c)
+bool isBad(const MeshView& mesh, std::uint32_t f, std::uint32_t c)
 {
   return mesh.face(f).skew || isInvertedFrom(mesh, f, c);
 }
@@ -71,7 +71,7 @@ private:
 };
 
 // Whether an inverted wall of the cell looks the other way.
-bool isBackToBack(const EditMesh& mesh, std::uint32_t f, std::uint32_t c)
+bool isBackToBack(const MeshView& mesh, std::uint32_t f, std::uint32_t c)
 {
   const Vector normal = unit(mesh.face(f).area);
   const Items faces = mesh.facesOf(c);
@@ -82,7 +82,7 @@ bool isBackToBack(const EditMesh& mesh, std::uint32_t f, std::uint32_t c)
 }
 
 // In the planes of the cell's faces: those that are refused, walls back to back with them, other walls, inner faces.
-void addPlanesOfFaces(const EditMesh& mesh, std::uint32_t c, std::vector<CutPlane>& planes)
+void addPlanesOfFaces(const MeshView& mesh, std::uint32_t c, std::vector<CutPlane>& planes)
 {
   enum
   {
@@ -116,7 +116,7 @@ void addPlanesOfFaces(const EditMesh& mesh, std::uint32_t c, std::vector<CutPlan
 }
 
 // Across the edges of refused walls and along them, at the rim and through the middle, straight and oblique.
-void addPlanesAcross(const EditMesh& mesh, std::uint32_t c, std::vector<CutPlane>& planes)
+void addPlanesAcross(const MeshView& mesh, std::uint32_t c, std::vector<CutPlane>& planes)
 {
   const double edge = mesh.cell(c).edge;
   RankedPlanes ranked(edge);
@@ -151,7 +151,7 @@ void addPlanesAcross(const EditMesh& mesh, std::uint32_t c, std::vector<CutPlane
 }
 
 // A refused face goes to a neighbour, becomes part of another face between the same cells, or of the wall beside it.
-void addPassesAndJoins(const EditMesh& mesh, std::uint32_t c, std::vector<RefusalEdit>& edits)
+void addPassesAndJoins(const MeshView& mesh, std::uint32_t c, std::vector<RefusalEdit>& edits)
 {
   for (const std::uint32_t g : mesh.facesOf(c))
   {
@@ -183,7 +183,7 @@ void addPassesAndJoins(const EditMesh& mesh, std::uint32_t c, std::vector<Refusa
 
 }
 
-std::vector<RefusalEdit> editsOfRefused(const EditMesh& mesh, std::uint32_t c)
+std::vector<RefusalEdit> editsOfRefused(const MeshView& mesh, std::uint32_t c)
 {
   std::vector<RefusalEdit> edits;
   addPassesAndJoins(mesh, c, edits);
@@ -212,7 +212,7 @@ std::vector<RefusalEdit> editsOfRefused(const EditMesh& mesh, std::uint32_t c)
   return edits;
 }
 
-std::vector<CutPlane> planesThroughMiddle(const EditMesh& mesh, std::uint32_t c)
+std::vector<CutPlane> planesThroughMiddle(const MeshView& mesh, std::uint32_t c)
 {
   const EditCell& cell = mesh.cell(c);
   std::array<std::pair<double, std::size_t>, 3> extents; // negative: the longest comes first

@@ -28,9 +28,9 @@ struct RefusalEdit
 };
 
 // Of a cell with refused faces, the most likely first.
-std::vector<RefusalEdit> editsOfRefused(const EditMesh& mesh, std::uint32_t c);
+std::vector<RefusalEdit> editsOfRefused(const MeshView& mesh, std::uint32_t c);
 
 // Through the middle of a cell, across its longest extents first.
-std::vector<CutPlane> planesThroughMiddle(const EditMesh& mesh, std::uint32_t c);
+std::vector<CutPlane> planesThroughMiddle(const MeshView& mesh, std::uint32_t c);
 
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/RefusalEnding.h"
 
-#include "Editing/Debts.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Editing/RefusalEdits.h"
 #include "Editing/RefusalSearch.h"
 #include "Editing/Refusals.h"
+#include "Editing/VolumeDeficits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,7 @@ public:
     }
     if (made_.empty()) // else neighbours would swell
     {
-      passOnDebts(mesh_);
+      passOnDeficits(mesh_);
     }
     if (pieces_.size() > 1)
     {
@@ -163,7 +163,7 @@ private:
     for (const std::uint32_t p : std::vector<std::uint32_t>(pieces_.all()))
     {
       if (pieces_.size() < 2 || mesh_.cell(p).gone ||
-        mesh_.cell(p).volume > SmallPiece * mesh_.cell(p).box)
+        mesh_.cell(p).volume > SmallPiece * mesh_.cell(p).boxVolume)
       {
         continue;
       }
@@ -188,7 +188,7 @@ private:
       for (const std::uint32_t p : todo)
       {
         if (!mesh_.cell(p).gone && mesh_.isFree(p) && hasInverted(mesh_, p) &&
-          mesh_.cell(p).volume > LeastHalved * mesh_.cell(p).box)
+          mesh_.cell(p).volume > LeastHalved * mesh_.cell(p).boxVolume)
         {
           halve(p, next);
         }
@@ -228,7 +228,8 @@ private:
 
   bool remove(std::uint32_t p)
   {
-    const RemovedPiece piece{ mesh_.cell(p).centre, mesh_.cell(p).volume / mesh_.cell(p).box };
+    const RemovedPiece piece{ mesh_.cell(p).centre,
+      mesh_.cell(p).volume / mesh_.cell(p).boxVolume };
     const std::vector<std::uint32_t> cells = withFlapsBeside(p);
     std::vector<MadeEdit> edits;
     for (const std::uint32_t c : cells)
@@ -280,12 +281,12 @@ private:
     return sum <= MostRemoved;
   }
 
-  EditMesh& mesh_;
+  MeshEditor& mesh_;
   const bool removes_;
   std::vector<RemovedPiece>& removed_;
   RefusedPieces pieces_;
   std::vector<MadeEdit> made_; // of what is removed of this cell
-  EditMesh::Mark mark_{};      // before its first edit
+  MeshEditor::Mark mark_{};    // before its first edit
   std::size_t removedBefore_ = 0;
 };
 

@@ -52,8 +52,8 @@ private:
   // By each edit of the worst piece that it leaves.
   void extend(const Plan& plan, std::vector<Plan>& longer)
   {
-    EditMesh& mesh = pieces_.mesh();
-    const EditMesh::Mark mark = mesh.mark();
+    MeshEditor& mesh = pieces_.mesh();
+    const MeshEditor::Mark mark = mesh.mark();
     const std::size_t size = pieces_.size();
     pieces_.make(plan.edits);
     if (const std::uint32_t worst = pieces_.worst(); worst != None)
@@ -72,8 +72,8 @@ private:
 
   void attempt(const Plan& plan, const RefusalEdit& edit, std::vector<Plan>& longer)
   {
-    EditMesh& mesh = pieces_.mesh();
-    const EditMesh::Mark mark = mesh.mark();
+    MeshEditor& mesh = pieces_.mesh();
+    const MeshEditor::Mark mark = mesh.mark();
     const std::size_t size = pieces_.size();
     --trialsLeft_;
     if (pieces_.make(edit))
@@ -178,9 +178,9 @@ void RefusedPieces::add(std::uint32_t c)
 
 bool RefusedPieces::make(const RefusalEdit& edit)
 {
-  const EditMesh::Mark mark = mesh_.mark();
+  const MeshEditor::Mark mark = mesh_.mark();
   CutParts parts;
-  if (!apply(edit, parts) || !isSettled(mark))
+  if (!apply(edit, parts) || !isValidNow(mark))
   {
     mesh_.undo(mark);
     return false;
@@ -203,7 +203,7 @@ bool RefusedPieces::make(const RefusalEdit& edit)
 }
 
 // Cells that are refused by the edit.
-void RefusedPieces::addChanged(const EditMesh::Mark& mark)
+void RefusedPieces::addChanged(const MeshEditor::Mark& mark)
 {
   for (std::size_t i = mark.cellRecords; i < mesh_.cellRecords().size(); ++i)
   {

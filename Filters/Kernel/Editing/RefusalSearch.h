@@ -17,7 +17,7 @@ using RefusalPlan = std::vector<RefusalEdit>;
 class RefusedPieces
 {
 public:
-  RefusedPieces(EditMesh& mesh, const EditRules& rules)
+  RefusedPieces(MeshEditor& mesh, const EditRules& rules)
     : mesh_(mesh)
     , rules_(rules)
   {
@@ -33,7 +33,7 @@ public:
   bool isEnded() const { return refusals().isWithin(aim_); }
   const Refusals& aim() const { return aim_; }
 
-  EditMesh& mesh() { return mesh_; }
+  MeshEditor& mesh() { return mesh_; }
   const std::vector<std::uint32_t>& all() const { return pieces_; }
   bool contains(std::uint32_t c) const;
   std::size_t size() const { return pieces_.size(); }
@@ -58,8 +58,8 @@ public:
   bool tryEdit(bool hasToBeBetter, Edit&& edit)
   {
     const Refusals before = refusals();
-    const EditMesh::Mark mark = mesh_.mark();
-    const bool isValid = edit() && isSettled(mark);
+    const MeshEditor::Mark mark = mesh_.mark();
+    const bool isValid = edit() && isValidNow(mark);
     const Refusals after = isValid ? refusals() : before;
     const bool isMade = isValid && (after < before || (!hasToBeBetter && !(before < after)));
     isMade ? mesh_.keep(mark) : mesh_.undo(mark);
@@ -72,14 +72,14 @@ public:
 private:
   void add(std::uint32_t c);
   void listOthers(std::uint32_t c);
-  void addChanged(const EditMesh::Mark& mark);
+  void addChanged(const MeshEditor::Mark& mark);
   bool apply(const RefusalEdit& edit, CutParts& parts);
-  bool isSettled(const EditMesh::Mark& mark)
+  bool isValidNow(const MeshEditor::Mark& mark)
   {
-    return settle(mesh_, rules_.spec) && areAllClosed(mesh_, mark);
+    return updateAndValidate(mesh_, rules_.spec) && areAllClosed(mesh_, mark);
   }
 
-  EditMesh& mesh_;
+  MeshEditor& mesh_;
   const EditRules& rules_; // which kinds of edits are allowed, and the objective that measures
   std::vector<std::uint32_t> pieces_;
   std::vector<std::uint32_t>

@@ -17,7 +17,7 @@ constexpr double SameVolume = 1e-9;
 
 constexpr std::size_t LeastFaces = 4; // of a polyhedron
 
-bool isFacingAway(const EditMesh& mesh, std::uint32_t f)
+bool isFacingAway(const MeshView& mesh, std::uint32_t f)
 {
   const EditFace& face = mesh.face(f);
   return !mesh.isSurface(f) &&
@@ -25,20 +25,20 @@ bool isFacingAway(const EditMesh& mesh, std::uint32_t f)
 }
 
 // Whether a cell that shares a node is no part of a film, as those of a body are that is thin everywhere.
-bool hasLargeNear(const EditMesh& mesh, std::uint32_t c)
+bool hasLargeNear(const MeshView& mesh, std::uint32_t c)
 {
   constexpr double Large = 0.15; // of its box
   bool isAny = false;
   mesh.forEachCellAround(c, [&](std::uint32_t other) {
     isAny = isAny ||
       (mesh.cell(other).region == mesh.cell(c).region &&
-        mesh.cell(other).volume >= Large * mesh.cell(other).box);
+        mesh.cell(other).volume >= Large * mesh.cell(other).boxVolume);
   });
   return isAny;
 }
 
 // By checkMesh's aspect ratio. Not cells of films where all is as thin, unless there is nothing between their walls.
-bool isLong(const EditMesh& mesh, std::uint32_t c)
+bool isLong(const MeshView& mesh, std::uint32_t c)
 {
   constexpr double Most = 0.9 * Limits::AspectRatio; // programs do not agree on areas
   Vector sum{};
@@ -75,9 +75,9 @@ bool Refusals::operator<(const Refusals& other) const
   return poor < other.poor;
 }
 
-Refusals refusalsOf(const EditMesh& mesh, const std::vector<std::uint32_t>& cells)
+Refusals refusalsOf(const MeshEditor& mesh, const std::vector<std::uint32_t>& cells)
 {
-  Refusals sum{ mesh.ledger.inverted, mesh.ledger.skew, 0, mesh.ledger.failures };
+  Refusals sum{ mesh.delta.inverted, mesh.delta.skew, 0, mesh.delta.failures };
   for (const std::uint32_t c : cells)
   {
     if (!mesh.cell(c).gone)
@@ -89,18 +89,18 @@ Refusals refusalsOf(const EditMesh& mesh, const std::vector<std::uint32_t>& cell
   return sum;
 }
 
-bool hasNoVolume(const EditMesh& mesh, std::uint32_t c)
+bool hasNoVolume(const MeshView& mesh, std::uint32_t c)
 {
   constexpr double Most = 1e-4; // of its box: no body is meant that is as thin
-  return mesh.cell(c).volume < Most * mesh.cell(c).box;
+  return mesh.cell(c).volume < Most * mesh.cell(c).boxVolume;
 }
 
-bool isDegenerate(const EditMesh& mesh, std::uint32_t c)
+bool isDegenerate(const MeshView& mesh, std::uint32_t c)
 {
   return mesh.facesOf(c).size() < LeastFaces || isLong(mesh, c);
 }
 
-bool isInvertedFrom(const EditMesh& mesh, std::uint32_t f, std::uint32_t c)
+bool isInvertedFrom(const MeshView& mesh, std::uint32_t f, std::uint32_t c)
 {
   const EditFace& face = mesh.face(f);
   if (face.inverted == 0)
@@ -111,14 +111,14 @@ bool isInvertedFrom(const EditMesh& mesh, std::uint32_t f, std::uint32_t c)
   return !((face.below == c ? out : -out) > 0) || isFacingAway(mesh, f);
 }
 
-bool hasInverted(const EditMesh& mesh, std::uint32_t c)
+bool hasInverted(const MeshView& mesh, std::uint32_t c)
 {
   const Items faces = mesh.facesOf(c);
   return std::any_of(
     faces.begin(), faces.end(), [&](std::uint32_t f) { return isInvertedFrom(mesh, f, c); });
 }
 
-bool isRefused(const EditMesh& mesh, std::uint32_t c)
+bool isRefused(const MeshView& mesh, std::uint32_t c)
 {
   const Items faces = mesh.facesOf(c);
   return isDegenerate(mesh, c) || std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
@@ -126,7 +126,7 @@ bool isRefused(const EditMesh& mesh, std::uint32_t c)
   });
 }
 
-Refusals refusalsIn(const EditMesh& mesh, std::uint32_t c)
+Refusals refusalsIn(const MeshView& mesh, std::uint32_t c)
 {
   Refusals sum{};
   for (const std::uint32_t f : mesh.facesOf(c))

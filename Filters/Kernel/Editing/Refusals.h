@@ -3,7 +3,7 @@
 // rule by which edits are decided, beside EditDecision.h: of the last step alone (RefusalEnding.h), which asks for no gain.
 #pragma once
 
-#include "Editing/EditMesh.h"
+#include "Editing/MeshEditor.h"
 
 namespace cartesian
 {
@@ -26,22 +26,22 @@ struct Refusals
 };
 
 // Of the mesh around some cells, in all that changed; of these cells alone, which are there, those that are degenerate.
-Refusals refusalsOf(const EditMesh& mesh, const std::vector<std::uint32_t>& cells);
+Refusals refusalsOf(const MeshEditor& mesh, const std::vector<std::uint32_t>& cells);
 
 // Whether a side of a face is inverted as its cell sees it, or the face as its cells see each other.
-bool isInvertedFrom(const EditMesh& mesh, std::uint32_t f, std::uint32_t c);
-bool hasInverted(const EditMesh& mesh, std::uint32_t c);
+bool isInvertedFrom(const MeshView& mesh, std::uint32_t f, std::uint32_t c);
+bool hasInverted(const MeshView& mesh, std::uint32_t c);
 
 // Whether there is nothing between its walls.
-bool hasNoVolume(const EditMesh& mesh, std::uint32_t c);
+bool hasNoVolume(const MeshView& mesh, std::uint32_t c);
 
 // Of fewer faces than a polyhedron has, or too long; but not where all is as thin.
-bool isDegenerate(const EditMesh& mesh, std::uint32_t c);
+bool isDegenerate(const MeshView& mesh, std::uint32_t c);
 
 // Whether checkMesh refuses a cell, or one of its faces.
-bool isRefused(const EditMesh& mesh, std::uint32_t c);
+bool isRefused(const MeshView& mesh, std::uint32_t c);
 
 // How much of that ends if nothing else does: sides that this cell sees, its faces, itself.
-Refusals refusalsIn(const EditMesh& mesh, std::uint32_t c);
+Refusals refusalsIn(const MeshView& mesh, std::uint32_t c);
 
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/ShortEdges.h"
 
-#include "Editing/Debts.h"
 #include "Editing/EdgeArea.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"
+#include "Editing/VolumeDeficits.h"
 
 #include <algorithm>
 #include <tuple>
@@ -39,14 +39,14 @@ struct ShortEdge
   bool operator==(const ShortEdge& other) const { return u == other.u && v == other.v; }
 };
 
-double lengthOf(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+double lengthOf(const MeshView& mesh, std::uint32_t u, std::uint32_t v)
 {
   return norm(minus(mesh.node(u).at, mesh.node(v).at));
 }
 
 std::vector<ShortEdge> listShortEdges(const ZoneTask& task, double length, bool atWallOnly)
 {
-  const EditMesh& mesh = task.mesh;
+  const MeshView& mesh = task.mesh;
   std::vector<ShortEdge> edges;
   task.forEachFace([&](std::uint32_t f) {
     const Items ring = mesh.cornersOf(f);
@@ -69,10 +69,10 @@ std::vector<ShortEdge> listShortEdges(const ZoneTask& task, double length, bool 
 
 int rankOf(const EditNode& node)
 {
-  return node.held == HeldFast ? 9 : int(node.kind);
+  return node.constrainedAxes == AllAxes ? 9 : int(node.kind);
 }
 
-bool isEdge(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+bool isEdge(const MeshView& mesh, std::uint32_t u, std::uint32_t v)
 {
   const Items faces = mesh.facesAround(u);
   return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
@@ -83,15 +83,17 @@ bool isEdge(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
 }
 
 // Where to: to the middle between equals, to either, to the higher kind.
-FixedList<Proposal, 3> waysToCollapse(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+FixedList<Proposal, 3> waysToCollapse(const MeshView& mesh, std::uint32_t u, std::uint32_t v)
 {
   const EditNode& a = mesh.node(u);
   const EditNode& b = mesh.node(v);
   FixedList<Proposal, 3> ways;
-  if (rankOf(a) == rankOf(b) && a.kind != NodeKind::Corner && a.held == b.held)
+  if (rankOf(a) == rankOf(b) && a.kind != NodeKind::Corner &&
+    a.constrainedAxes == b.constrainedAxes)
   {
     ways.push({ EditKind::Collapse, u, v, 0,
-      placeKeepingArea(mesh, u, v, onLattice(mesh, scaled(plus(a.at, b.at), 0.5), a.held)) });
+      placeKeepingArea(
+        mesh, u, v, onLattice(mesh, scaled(plus(a.at, b.at), 0.5), a.constrainedAxes)) });
   }
   if (rankOf(a) <= rankOf(b))
   {
@@ -105,10 +107,10 @@ FixedList<Proposal, 3> waysToCollapse(const EditMesh& mesh, std::uint32_t u, std
 }
 
 // Whether a cell at a node is as thin as the body: an edge may be all that lies between its walls.
-bool isInThinBody(const EditMesh& mesh, std::uint32_t n)
+bool isInThinBody(const MeshView& mesh, std::uint32_t n)
 {
   const auto isThin = [&](std::uint32_t c) {
-    return c != None && mesh.isFree(c) && mesh.cell(c).volume < ThinCell * mesh.cell(c).box &&
+    return c != None && mesh.isFree(c) && mesh.cell(c).volume < ThinCell * mesh.cell(c).boxVolume &&
       isThinThere(mesh, c);
   };
   const Items faces = mesh.facesAround(n);
@@ -117,14 +119,14 @@ bool isInThinBody(const EditMesh& mesh, std::uint32_t n)
 }
 
 // Whether no cell that changed lost more of itself than rounding.
-bool keepsVolumes(EditMesh& mesh, const EditMesh::Mark& mark)
+bool keepsVolumes(MeshEditor& mesh, const MeshEditor::Mark& mark)
 {
   const auto& records = mesh.cellRecords();
   const bool isAnyGone =
     std::any_of(records.begin() + std::ptrdiff_t(mark.cellRecords), records.end(),
       [&](const auto& record) { return mesh.cell(record.first).gone && !record.second.gone; });
   return !isAnyGone &&
-    std::all_of(mesh.unsettled.cells.begin(), mesh.unsettled.cells.end(), [&](std::uint32_t c) {
+    std::all_of(mesh.dirty.cells.begin(), mesh.dirty.cells.end(), [&](std::uint32_t c) {
       const double before = mesh.changeCell(c).volume;
       measureCell(mesh, c);
       return mesh.cell(c).volume > KeptOfThin * before;
@@ -171,16 +173,16 @@ public:
         return;
       }
     }
-    if ((mesh_.node(u).held & ~mesh_.node(v).held) != 0)
+    if ((mesh_.node(u).constrainedAxes & ~mesh_.node(v).constrainedAxes) != 0)
     {
       return;
     }
     const bool isThin = isInThinBody(mesh_, u);
-    const EditMesh::Mark mark = mesh_.mark();
-    if (collapseEdge(mesh_, u, v, mesh_.node(v).at) && settleShapes(mesh_) &&
+    const MeshEditor::Mark mark = mesh_.mark();
+    if (collapseEdge(mesh_, u, v, mesh_.node(v).at) && updateShapes(mesh_) &&
       (!isThin || keepsVolumes(mesh_, mark)) && isSound(mark))
     {
-      passOnDebts(mesh_);
+      passOnDeficits(mesh_);
       listChanged(mesh_, changed_);
       mesh_.commit();
       mesh_.reclaim(zone_);
@@ -198,7 +200,7 @@ private:
     return mayCollapse(mesh_, rules_, u, v, mesh_.node(v).at, charge);
   }
 
-  EditMesh& mesh_;
+  MeshEditor& mesh_;
   const EditRules& rules_;
   const Items zone_;
   const std::function<void()>& poll_;
@@ -206,12 +208,12 @@ private:
   std::size_t count_ = 0;
 };
 
-bool isCrowded(const EditMesh& mesh, std::uint32_t c)
+bool isCrowded(const MeshView& mesh, std::uint32_t c)
 {
   return c != None && mesh.isFree(c) && mesh.cell(c).faces.size > Crowd;
 }
 
-bool isCrowdedAt(const EditMesh& mesh, std::uint32_t n)
+bool isCrowdedAt(const MeshView& mesh, std::uint32_t n)
 {
   const Items faces = mesh.facesAround(n);
   return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
@@ -226,7 +228,7 @@ bool isAnyCrowded(const ZoneTask& task)
 }
 
 // Whether no face that changed folds.
-bool keepsShapes(const EditMesh& mesh, const EditMesh::Mark& mark)
+bool keepsShapes(const MeshEditor& mesh, const MeshEditor::Mark& mark)
 {
   constexpr float LeastStar = 0.05F;
   const auto& records = mesh.faceRecords();
@@ -239,13 +241,13 @@ bool keepsShapes(const EditMesh& mesh, const EditMesh::Mark& mark)
 
 }
 
-void weldEdges(const ZoneTask& task, const EditRules& rules, double length,
+void collapseShortEdges(const ZoneTask& task, const EditRules& rules, double length,
   const std::function<void()>& poll, std::vector<std::uint32_t>& changed)
 {
   Welding welding(task, rules, poll, changed);
   for (const ShortEdge& edge : listShortEdges(task, length, false))
   {
-    welding.weld(edge, [&](const EditMesh::Mark& mark) {
+    welding.weld(edge, [&](const MeshEditor::Mark& mark) {
       return rules.mayChangeWalls || keepsShapes(task.mesh, mark);
     });
   }
@@ -254,7 +256,7 @@ void weldEdges(const ZoneTask& task, const EditRules& rules, double length,
 void thinCrowdedCells(
   const ZoneTask& task, const std::function<void()>& poll, std::vector<std::uint32_t>& changed)
 {
-  const EditMesh& mesh = task.mesh;
+  const MeshView& mesh = task.mesh;
   const EditRules rules;
   Welding welding(task, rules, poll, changed);
   for (double length = ShortestOfCrowd; length < LongestOfCrowd && isAnyCrowded(task); length *= 2)
@@ -264,7 +266,8 @@ void thinCrowdedCells(
       if (isCrowdedAt(mesh, edge.u) &&
         lengthOf(mesh, edge.u, edge.v) < length * mesh.edgeAt(edge.u))
       {
-        welding.weld(edge, [&](const EditMesh::Mark& mark) { return keepsShapes(mesh, mark); });
+        welding.weld(
+          edge, [&](const MeshEditor::Mark& mark) { return keepsShapes(task.mesh, mark); });
       }
     }
   }
@@ -273,7 +276,7 @@ void thinCrowdedCells(
 void snapEdges(const ZoneTask& task, const EditRules& rules, const SnapSpec& spec,
   const std::function<void()>& poll)
 {
-  EditMesh& mesh = task.mesh;
+  MeshEditor& mesh = task.mesh;
   ProposalTrials trials(mesh, rules);
   std::size_t count = 0;
   for (const ShortEdge& edge : listShortEdges(task, spec.length, true))
@@ -292,7 +295,7 @@ void snapEdges(const ZoneTask& task, const EditRules& rules, const SnapSpec& spe
     {
       if (trials.make(way, -spec.slack))
       {
-        passOnDebts(mesh);
+        passOnDeficits(mesh);
         mesh.commit();
         break;
       }

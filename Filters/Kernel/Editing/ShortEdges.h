@@ -9,7 +9,7 @@ namespace cartesian
 
 // Those shorter than a part of a box's edge go wherever the mesh stays one. Of rules, only mayChangeWalls counts; costs are
 // not looked at. Cells that changed are appended to `changed`.
-void weldEdges(const ZoneTask& task, const EditRules& rules, double length,
+void collapseShortEdges(const ZoneTask& task, const EditRules& rules, double length,
   const std::function<void()>& poll, std::vector<std::uint32_t>& changed);
 
 // The same in cells with very many faces, of a surface with more detail than their boxes can show: longer edges each time,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/SmallCells.h"
 
-#include "Editing/Debts.h"
+#include "Editing/VolumeDeficits.h"
 
 namespace cartesian
 {
@@ -40,8 +40,8 @@ private:
   bool isSmall(std::uint32_t c) const
   {
     const EditCell& cell = mesh_.cell(c);
-    const SmallCellSpec& spec = mesh_.store().small;
-    return mesh_.isFree(c) && cell.volume < ratioOf(spec, cell.wall, spec.ratio) * cell.box;
+    const SmallCellSpec& spec = mesh_.mesh().small;
+    return mesh_.isFree(c) && cell.volume < ratioOf(spec, cell.wall, spec.ratio) * cell.boxVolume;
   }
 
   // Into the neighbour where that costs least.
@@ -68,12 +68,12 @@ private:
       return false;
     }
     edits_.push_back(madeEdit(mesh_, proposal.kind, proposal.a));
-    passOnDebts(mesh_);
+    passOnDeficits(mesh_);
     mesh_.commit();
     return true;
   }
 
-  EditMesh& mesh_;
+  MeshEditor& mesh_;
   const bool removes_;
   ProposalTrials trials_;
   std::vector<MadeEdit>& edits_;
@@ -81,7 +81,7 @@ private:
 
 }
 
-void takeSmallCells(
+void mergeOrRemoveSmallCells(
   const ZoneTask& task, const EditRules& rules, bool removes, std::vector<MadeEdit>& edits)
 {
   SmallCellTaker taker(task, rules, removes, edits);

@@ -7,9 +7,9 @@
 namespace cartesian
 {
 
-// By EditStore::small. `removes`: those that no neighbour can take. Costs are valid before and afterwards. Appends what was
+// By EditMesh::small. `removes`: those that no neighbour can take. Costs are valid before and afterwards. Appends what was
 // done.
-void takeSmallCells(
+void mergeOrRemoveSmallCells(
   const ZoneTask& task, const EditRules& rules, bool removes, std::vector<MadeEdit>& edits);
 
 }

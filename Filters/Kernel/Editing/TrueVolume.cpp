@@ -27,11 +27,11 @@ constexpr std::size_t ItemsAChunk = 1024;
 class Heights
 {
 public:
-  Heights(EditStore& store, Execution& execution)
-    : mesh_(store, 0, 0, {})
+  Heights(EditMesh& mesh, Execution& execution)
+    : mesh_(mesh, 0, 0, {})
     , execution_(execution)
-    , nodes_(store.nodes.size())
-    , owed_(store.faces.size(), 0)
+    , nodes_(mesh.nodes.size())
+    , deficit_(mesh.faces.size(), 0)
   {
     forEach(nodes_.size(), [&](std::uint32_t n) {
       nodes_[n] = {};
@@ -47,7 +47,8 @@ public:
   // Each step, nodes rise by the mean of what the walls around them still owe.
   void find()
   {
-    forEach(owed_.size(), [&](std::uint32_t f) { owed_[f] = isWall(f) ? mesh_.face(f).debt : 0; });
+    forEach(deficit_.size(),
+      [&](std::uint32_t f) { deficit_[f] = isWall(f) ? mesh_.face(f).volumeDeficit : 0; });
     for (int step = 0; step < Steps; ++step)
     {
       forEach(nodes_.size(), [&](std::uint32_t n) {
@@ -56,10 +57,10 @@ public:
           raise(n);
         }
       });
-      forEach(owed_.size(), [&](std::uint32_t f) {
+      forEach(deficit_.size(), [&](std::uint32_t f) {
         if (isWall(f))
         {
-          owed_[f] -= mesh_.signOf(f) * norm(mesh_.face(f).area) * meanRise(f);
+          deficit_[f] -= mesh_.signOf(f) * norm(mesh_.face(f).area) * meanRise(f);
         }
       });
     }
@@ -104,7 +105,7 @@ private:
     Vector way = nodes_[n].normal;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      way[axis] = (mesh_.node(n).held >> axis & 1) != 0 ? 0 : way[axis];
+      way[axis] = (mesh_.node(n).constrainedAxes >> axis & 1) != 0 ? 0 : way[axis];
     }
     const double square = dot(way, way);
     return square > LeastAcross ? scaled(way, 1 / square) : Vector{};
@@ -122,19 +123,19 @@ private:
 
   void raise(std::uint32_t n)
   {
-    double debt = 0;
+    double deficit = 0;
     double area = 0;
     for (const std::uint32_t f : mesh_.facesAround(n))
     {
       if (isWall(f))
       {
-        debt += mesh_.signOf(f) * owed_[f];
+        deficit += mesh_.signOf(f) * deficit_[f];
         area += norm(mesh_.face(f).area);
       }
     }
     Riser& node = nodes_[n];
     const double most = std::min(MostMoved * mesh_.edgeAt(n), MostSlope * std::sqrt(area));
-    const double height = std::clamp(node.height + (area > 0 ? debt / area : 0), -most, most);
+    const double height = std::clamp(node.height + (area > 0 ? deficit / area : 0), -most, most);
     node.rise = height - node.height;
     node.height = height;
   }
@@ -149,26 +150,26 @@ private:
     return sum / double(mesh_.face(f).corners.size);
   }
 
-  const EditMesh mesh_; // to read from
+  const MeshEditor mesh_; // to read from
   Execution& execution_;
   RecordVector<Riser> nodes_;
-  std::vector<double> owed_;
+  std::vector<double> deficit_;
 };
 
 }
 
-void payDebts(EditStore& store, const ObjectiveSpec& spec, Execution& execution)
+void redistributeVolume(EditMesh& mesh, const ObjectiveSpec& spec, Execution& execution)
 {
-  Heights heights(store, execution);
+  Heights heights(mesh, execution);
   heights.find();
-  NodeShifts shifts(store, spec, MostCost, execution);
+  NodeShifts shifts(mesh, spec, MostCost, execution);
   shifts.plan([&](std::uint32_t n) { return heights.wayOf(n); });
   shifts.make();
-  execution.forEach(store.nodes.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+  execution.forEach(mesh.nodes.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
     for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
     {
-      EditNode& node = store.nodes[n];
-      node.home = shifts.hasMoved(n) ? node.at : node.home;
+      EditNode& node = mesh.nodes[n];
+      node.referencePosition = shifts.hasMoved(n) ? node.at : node.referencePosition;
     }
   });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Facets cut off what a curved surface encloses, and edits what they move: each wall knows that debt. Nodes of smooth
+// Facets cut off what a curved surface encloses, and edits what they move: each wall knows that deficit. Nodes of smooth
 // walls move along their normals until it is paid, except where a face would become poor.
 #pragma once
 
@@ -9,7 +9,7 @@
 namespace cartesian
 {
 
-// Costs are valid before and afterwards; debts are what is left of them.
-void payDebts(EditStore& store, const ObjectiveSpec& spec, Execution& execution);
+// Costs are valid before and afterwards; deficits are what is left of them.
+void redistributeVolume(EditMesh& mesh, const ObjectiveSpec& spec, Execution& execution);
 
 }

@@ -15,7 +15,7 @@ constexpr double MostMoved = 0.1; // in boxes, by one step
 constexpr double MostCost = 0.2;  // that a face may cost more than before
 
 // From a wall's centre to under that of its cell, along the wall; between two regions, the mean of both.
-Vector offCentre(const EditMesh& mesh, std::uint32_t f)
+Vector offCentre(const MeshView& mesh, std::uint32_t f)
 {
   const EditFace& face = mesh.face(f);
   const Vector normal = unit(face.area);
@@ -28,7 +28,7 @@ Vector offCentre(const EditMesh& mesh, std::uint32_t f)
 }
 
 // The mean of its walls', along the wall. 0: it would leave it.
-Vector wayOf(const EditMesh& mesh, std::uint32_t n)
+Vector wayOf(const MeshView& mesh, std::uint32_t n)
 {
   if (!maySlide(mesh, n))
   {
@@ -56,18 +56,18 @@ Vector wayOf(const EditMesh& mesh, std::uint32_t n)
   const double length = norm(way);
   const double most = MostMoved * mesh.edgeAt(n);
   way = length > most ? scaled(way, most / length) : way;
-  const double strayed = norm(minus(plus(node.at, way), node.home));
-  return strayed <= double(node.leash) ? way : Vector{};
+  const double accumulatedDeviation = norm(minus(plus(node.at, way), node.referencePosition));
+  return accumulatedDeviation <= double(node.maxDisplacement) ? way : Vector{};
 }
 
 }
 
-void centreWalls(EditStore& store, const ObjectiveSpec& spec, Execution& execution)
+void centreWalls(EditMesh& whole, const ObjectiveSpec& spec, Execution& execution)
 {
-  const EditMesh mesh(store, 0, 0, {});
+  const MeshView mesh(whole);
   for (int step = 0; step < Steps; ++step)
   {
-    NodeShifts shifts(store, spec, MostCost, execution);
+    NodeShifts shifts(whole, spec, MostCost, execution);
     shifts.plan([&](std::uint32_t n) { return wayOf(mesh, n); });
     shifts.make();
   }

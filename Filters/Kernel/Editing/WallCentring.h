@@ -9,6 +9,6 @@
 namespace cartesian
 {
 
-void centreWalls(EditStore& store, const ObjectiveSpec& spec, Execution& execution);
+void centreWalls(EditMesh& whole, const ObjectiveSpec& spec, Execution& execution);
 
 }

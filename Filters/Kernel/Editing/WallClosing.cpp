@@ -149,7 +149,7 @@ private:
       if (!cell.gone)
       {
         changes_.isWritten[c] = 1;
-        written[c / ItemsAChunk].push_back({ cell.home, c, orderOf(c) });
+        written[c / ItemsAChunk].push_back({ cell.boxIndex, c, orderOf(c) });
       }
       if (!isNew && isHexahedron(cell.number))
       {
@@ -439,7 +439,7 @@ private:
   {
     const EditCell& edited = mesh_.cell(c);
     Cell cell{};
-    cell.box = edited.home;
+    cell.box = edited.boxIndex;
     cell.boundary = edited.wall;
     cell.region = edited.region;
     cell.volumeFraction = shareOf(c);
@@ -466,7 +466,7 @@ private:
   // Of its box's volume: as its faces' triangles enclose it, unlike EditCell's, which is a solver's.
   double shareOf(std::uint32_t c) const
   {
-    const Box box = boxes_.box(mesh_.cell(c).home);
+    const Box box = boxes_.box(mesh_.cell(c).boxIndex);
     const Vector low = edited_.inside(box.low);
     const Vector size = minus(edited_.inside(box.high), low);
     double volume = 0;
@@ -546,7 +546,7 @@ private:
   }
 
   const EditableWall& edited_;
-  const EditMesh& mesh_;
+  const MeshView& mesh_;
   const Boxes& boxes_;
   const Walls& walls_;
   Sides& sides_;

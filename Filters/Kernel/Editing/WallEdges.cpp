@@ -14,14 +14,14 @@ namespace cartesian
 namespace
 {
 
-bool areOnEdges(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+bool areOnEdges(const MeshView& mesh, std::uint32_t u, std::uint32_t v)
 {
   return mesh.node(u).kind >= NodeKind::OnEdge && mesh.node(v).kind >= NodeKind::OnEdge;
 }
 
 // Calls visit(p, q) for edges of the one that the other has in reverse.
 template <class Visitor>
-void forEachShared(const EditMesh& mesh, std::uint32_t f, std::uint32_t g, Visitor&& visit)
+void forEachShared(const MeshView& mesh, std::uint32_t f, std::uint32_t g, Visitor&& visit)
 {
   const Items a = mesh.cornersOf(f);
   const Items b = mesh.cornersOf(g);
@@ -69,7 +69,7 @@ double squareToStar(
 class ChangedWalls
 {
 public:
-  ChangedWalls(const EditMesh& mesh, const EditMesh::Mark& mark)
+  ChangedWalls(const MeshEditor& mesh, const MeshEditor::Mark& mark)
     : mesh_(mesh)
   {
     collectFaces(mark);
@@ -119,7 +119,7 @@ private:
 
   static bool isWall(const EditFace& face) { return !face.gone && isSurface(face); }
 
-  void collectFaces(const EditMesh::Mark& mark)
+  void collectFaces(const MeshEditor::Mark& mark)
   {
     const auto& records = mesh_.faceRecords();
     for (std::size_t i = mark.faceRecords; i < records.size(); ++i)
@@ -128,7 +128,7 @@ private:
       const EditFace& is = mesh_.face(f);
       const bool hasMoved = isWall(was) != isWall(is) || was.corners.first != is.corners.first ||
         was.centre != is.centre;
-      if ((!isWall(was) && !isWall(is)) || !hasMoved || !EditMesh::isOldest(was, mark.epochs))
+      if ((!isWall(was) && !isWall(is)) || !hasMoved || !MeshEditor::isOldest(was, mark.epochs))
       {
         continue;
       }
@@ -180,7 +180,7 @@ private:
     }
   }
 
-  void collectNodes(const EditMesh::Mark& mark)
+  void collectNodes(const MeshEditor::Mark& mark)
   {
     const auto& records = mesh_.nodeRecords();
     for (std::size_t i = mark.nodeRecords; i < records.size(); ++i)
@@ -233,7 +233,7 @@ private:
 
   static constexpr std::size_t Most = 2 * MostFacesChanged; // and nodes
 
-  const EditMesh& mesh_;
+  const MeshEditor& mesh_;
   FixedList<std::uint32_t, Most> now_;
   FixedList<std::uint32_t, Most> beside_; // walls that did not change
   FixedList<std::size_t, Most> before_;   // records
@@ -245,7 +245,7 @@ private:
 
 }
 
-WallEdge wallEdgeOf(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
+WallEdge wallEdgeOf(const MeshView& mesh, std::uint32_t u, std::uint32_t v)
 {
   std::array<const EditFace*, 2> sides{};
   std::array<bool, 2> isForward{}; // from u to v
@@ -276,7 +276,7 @@ WallEdge wallEdgeOf(const EditMesh& mesh, std::uint32_t u, std::uint32_t v)
   return { count > 0, !isSmooth };
 }
 
-SharpEnds sharpEndsAt(const EditMesh& mesh, std::uint32_t u)
+SharpEnds sharpEndsAt(const MeshView& mesh, std::uint32_t u)
 {
   SharpEnds ends;
   for (const std::uint32_t f : mesh.facesAround(u))
@@ -295,7 +295,7 @@ SharpEnds sharpEndsAt(const EditMesh& mesh, std::uint32_t u)
   return ends;
 }
 
-double sharedLength(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+double sharedLength(const MeshView& mesh, std::uint32_t f, std::uint32_t g)
 {
   double length = 0;
   forEachShared(mesh, f, g, [&](std::uint32_t p, std::uint32_t q) {
@@ -304,7 +304,7 @@ double sharedLength(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
   return length;
 }
 
-double cosineBetween(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+double cosineBetween(const MeshView& mesh, std::uint32_t f, std::uint32_t g)
 {
   const EditFace& one = mesh.face(f);
   const EditFace& other = mesh.face(g);
@@ -312,7 +312,7 @@ double cosineBetween(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
   return dot(unit(one.area), unit(other.area)) * (areAlike ? 1 : -1);
 }
 
-double sharpnessBetween(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+double sharpnessBetween(const MeshView& mesh, std::uint32_t f, std::uint32_t g)
 {
   if (!mesh.isSurface(f))
   {
@@ -324,7 +324,7 @@ double sharpnessBetween(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
   return mesh.sharp().sharpness(cosineBetween(mesh, f, g), isOnKnown);
 }
 
-bool areAdjacent(const EditMesh& mesh, std::uint32_t f, std::uint32_t g)
+bool areAdjacent(const MeshView& mesh, std::uint32_t f, std::uint32_t g)
 {
   const Items b = mesh.cornersOf(g);
   int shared = 0;
@@ -343,14 +343,14 @@ double distanceToSegment(const Vector& p, const Vector& a, const Vector& b)
   return norm(minus(p, plus(a, scaled(ab, t))));
 }
 
-double distanceToFace(const EditMesh& mesh, const Vector& p, std::uint32_t f)
+double distanceToFace(const MeshView& mesh, const Vector& p, std::uint32_t f)
 {
   return std::sqrt(squareToStar(
     p, mesh.face(f).centre, mesh.face(f).corners.size,
     [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); }, 0));
 }
 
-double distanceOfWalls(const EditMesh& mesh, const EditMesh::Mark& mark)
+double distanceOfWalls(const MeshEditor& mesh, const MeshEditor::Mark& mark)
 {
   return ChangedWalls(mesh, mark).distance();
 }

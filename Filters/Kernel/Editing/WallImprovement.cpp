@@ -101,10 +101,10 @@ constexpr double LongestSnapped = 0.5; // in boxes
 constexpr double MuchCost = 3.5;
 
 // What faces cost by another specification. Those of a zone that cost next to nothing cost the same.
-void weighAnew(const ZoneTask& task, const ObjectiveSpec& from, const ObjectiveSpec& to)
+void rescaleCosts(const ZoneTask& task, const ObjectiveSpec& from, const ObjectiveSpec& to)
 {
   constexpr double NextToNothing = 1e-3;
-  EditMesh& mesh = task.mesh;
+  MeshEditor& mesh = task.mesh;
   for (const Items cells : { task.zone, mesh.madeCells() })
   {
     for (const std::uint32_t c : cells)
@@ -139,20 +139,20 @@ void improveFailing(const ZoneTask& task, const Loops& loops, const std::functio
   {
     const ObjectiveSpec& thorough = loops.thorough.rules.spec;
     const ObjectiveSpec& last = loops.last.rules.spec;
-    weighAnew(task, usual, thorough);
+    rescaleCosts(task, usual, thorough);
     append(edits, improve(task, loops.thorough, poll));
-    weighAnew(task, thorough, last);
+    rescaleCosts(task, thorough, last);
     append(edits, improve(task, loops.last, poll));
-    weighAnew(task, last, usual);
+    rescaleCosts(task, last, usual);
   }
 }
 
-std::vector<std::uint32_t> refusedCells(EditStore& store, Execution& execution)
+std::vector<std::uint32_t> refusedCells(EditMesh& whole, Execution& execution)
 {
   constexpr std::size_t CellsAChunk = 1024;
-  std::vector<std::vector<std::uint32_t>> ofChunks(chunks(store.cells.size(), CellsAChunk));
-  execution.forEach(store.cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-    const EditMesh mesh(store, 0, 0, {});
+  std::vector<std::vector<std::uint32_t>> ofChunks(chunks(whole.cells.size(), CellsAChunk));
+  execution.forEach(whole.cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    const MeshView mesh(whole);
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c)
     {
       if (!mesh.cell(c).gone && !mesh.isGhost(c) && isRefused(mesh, c))
@@ -165,9 +165,9 @@ std::vector<std::uint32_t> refusedCells(EditStore& store, Execution& execution)
 }
 
 // Refused cells that touch themselves, and those around that do, may change from now on.
-void thaw(EditStore& store, const std::vector<std::uint32_t>& refused)
+void thaw(EditMesh& whole, const std::vector<std::uint32_t>& refused)
 {
-  EditMesh mesh(store, 0, 0, {});
+  MeshEditor mesh(whole, 0, 0, {});
   for (const std::uint32_t c : refused)
   {
     mesh.forEachCellAround(c, [&](std::uint32_t other) {
@@ -184,7 +184,7 @@ void thaw(EditStore& store, const std::vector<std::uint32_t>& refused)
 void improveMade(const ZoneTask& task, const Loops& loops, const std::function<void()>& poll,
   std::vector<MadeEdit>& edits)
 {
-  const EditMesh& mesh = task.mesh;
+  const MeshEditor& mesh = task.mesh;
   const Items made = mesh.madeCells();
   std::vector<std::uint32_t> poor;
   for (const Items cells :
@@ -199,17 +199,17 @@ void improveMade(const ZoneTask& task, const Loops& loops, const std::function<v
   }
   if (!poor.empty())
   {
-    const ZoneTask again{ task.mesh, poor, task.zone, task.isOver };
+    const ZoneTask again{ task.mesh, poor, task.zone, task.isDone };
     append(edits, improve(again, loops.general, poll));
     improveFailing(again, loops, poll, edits);
   }
   const std::vector<std::uint32_t> all(mesh.madeCells().begin(), mesh.madeCells().end());
-  takeSmallCells(
-    { task.mesh, all, task.zone, task.isOver }, loops.general.rules, loops.removes, edits);
+  mergeOrRemoveSmallCells(
+    { task.mesh, all, task.zone, task.isDone }, loops.general.rules, loops.removes, edits);
 }
 
 // Whatever solvers still refuse.
-void endAll(EditStore& store, Loops loops, Execution& execution, std::vector<MadeEdit>& edits)
+void endAll(EditMesh& whole, Loops loops, Execution& execution, std::vector<MadeEdit>& edits)
 {
   for (LoopSpec* spec : { &loops.general, &loops.thorough, &loops.last })
   {
@@ -221,14 +221,14 @@ void endAll(EditStore& store, Loops loops, Execution& execution, std::vector<Mad
   std::mutex mutex;
   for (int round = 0; round < Rounds; ++round)
   {
-    const std::vector<std::uint32_t> cells = refusedCells(store, execution);
+    const std::vector<std::uint32_t> cells = refusedCells(whole, execution);
     if (cells.empty())
     {
       return;
     }
-    thaw(store, cells);
+    thaw(whole, cells);
     std::vector<RemovedPiece> all = removed;
-    editInGroups(store, execution, cells, [&](const ZoneTask& task) {
+    editInGroups(whole, execution, cells, [&](const ZoneTask& task) {
       std::vector<MadeEdit> ofZone;
       std::vector<RemovedPiece> pieces = removed;
       endRefusals(task, loops.general.rules, loops.removes, pieces, ofZone, poll);
@@ -247,26 +247,27 @@ void endAll(EditStore& store, Loops loops, Execution& execution, std::vector<Mad
 
 }
 
-std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, Execution& execution)
+std::vector<MadeEdit> improveWall(
+  MeshEditor& mesh, const ImprovementSpec& spec, Execution& execution)
 {
-  EditStore& store = mesh.store();
+  EditMesh& whole = mesh.mesh();
   const Loops loops(spec);
   const LoopSpec& general = loops.general;
   const auto poll = [&] { execution.poll(); };
   const auto pay = [&] {
     if (spec.trueVolume)
     {
-      payDebts(store, general.rules.spec, execution);
+      redistributeVolume(whole, general.rules.spec, execution);
     }
   };
-  store.wantedShare = spec.smallShare * Wanted::ShareByRatio;
-  store.small = spec.small;
+  whole.wantedShare = spec.smallShare * Wanted::ShareByRatio;
+  whole.small = spec.small;
   SnapSpec snap;
   snap.length = std::min(3 * spec.collapseRatio, LongestSnapped);
   std::mutex mutex;
   std::vector<MadeEdit> edits;
-  costAll(store, general.rules.spec, execution);
-  editInZones(store, execution, [&](const ZoneTask& task) {
+  costAll(whole, general.rules.spec, execution);
+  editInZones(whole, execution, [&](const ZoneTask& task) {
     if (spec.improves() && (spec.mayChangeWalls || spec.collapseRatio > 0))
     {
       simplifyWalls(task, SimplificationSpec(), general.rules, poll);
@@ -275,36 +276,36 @@ std::vector<MadeEdit> improveWall(EditMesh& mesh, const ImprovementSpec& spec, E
   });
   if (!spec.improves())
   {
-    append(edits, removeFlatFaces(store, general.rules, execution));
+    append(edits, removeFlatFaces(whole, general.rules, execution));
     return edits;
   }
   pay();
   editInZones(
-    store, execution,
+    whole, execution,
     [&](const ZoneTask& task) {
       std::vector<MadeEdit> ofZone;
       if (!spec.mayChangeWalls)
       {
-        takeSmallCells(task, general.rules, false, ofZone); // what edges could not take
+        mergeOrRemoveSmallCells(task, general.rules, false, ofZone); // what edges could not take
       }
       append(ofZone, improve(task, general, poll));
       improveFailing(task, loops, poll, ofZone);
-      takeSmallCells(task, general.rules, spec.removesCells, ofZone);
+      mergeOrRemoveSmallCells(task, general.rules, spec.removesCells, ofZone);
       const std::lock_guard<std::mutex> lock(mutex);
       edits.insert(edits.end(), ofZone.begin(), ofZone.end());
     },
     true);
   if (spec.movesNodes)
   {
-    centreWalls(store, general.rules.spec, execution);
+    centreWalls(whole, general.rules.spec, execution);
   }
   pay();
   if (spec.mayChangeWalls)
   {
-    endAll(store, loops, execution, edits);
+    endAll(whole, loops, execution, edits);
   }
-  separateNodes(store, general.rules.spec, execution);
-  append(edits, removeFlatFaces(store, general.rules, execution));
+  separateNodes(whole, general.rules.spec, execution);
+  append(edits, removeFlatFaces(whole, general.rules, execution));
   sortAll(edits, execution); // zones end in any order
   return edits;
 }

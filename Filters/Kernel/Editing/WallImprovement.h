@@ -26,6 +26,6 @@ struct ImprovementSpec
 
 // Faces and cells are measured (EditMeasures.h). Returns what was done to cells, by boxes.
 std::vector<MadeEdit> improveWall(
-  EditMesh& mesh, const ImprovementSpec& spec, Execution& execution);
+  MeshEditor& mesh, const ImprovementSpec& spec, Execution& execution);
 
 }

@@ -3,9 +3,9 @@
 #include "Editing/CellClosure.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/EditableWall.h"
+#include "Editing/NearWallSelection.h"
 #include "Editing/NodeKinds.h"
 #include "Editing/OpenedFaces.h"
-#include "Editing/WallRing.h"
 #include "Lattice/PointSortKey.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ public:
   Opening(const MeshParts& parts, EditableWall& result, Execution& execution)
     : parts_(parts)
     , result_(result)
-    , store_(result.mesh.store())
+    , mesh_(result.mesh.mesh())
     , execution_(execution)
     , keys_(cellsToEdit(parts, execution))
     , numbers_(parts, execution)
@@ -37,19 +37,19 @@ public:
 
   void run(double featureAngle)
   {
-    store_.sharp = SharpRule(featureAngle, parts_.patches.knowsEdges);
+    mesh_.sharp = SharpRule(featureAngle, parts_.patches.knowsEdges);
     chooseUnit();
     addCells();
     faces_ = listOpenedFaces(parts_, keys_, numbers_, execution_);
     addGhosts();
     addNodes();
     addFaces();
-    store_.connect(execution_);
+    mesh_.connect(execution_);
     hold();
     freeze();
     measure();
     findNodeKinds(
-      store_, { parts_.nodes.kinds, parts_.patches.knowsEdges }, featureAngle, execution_);
+      mesh_, { parts_.nodes.kinds, parts_.patches.knowsEdges }, featureAngle, execution_);
   }
 
 private:
@@ -88,17 +88,17 @@ private:
       double& ofChunk = least[c / ItemsAChunk];
       ofChunk = std::min(ofChunk, size[0] * size[1] * size[2]);
     });
-    store_.level = keys_.empty()
+    mesh_.level = keys_.empty()
       ? 1
       : std::ldexp(1.0, -std::ilogb(std::cbrt(*std::min_element(least.begin(), least.end()))));
-    store_.low = Vector{};
-    store_.high = result_.inside(end);
+    mesh_.low = Vector{};
+    mesh_.high = result_.inside(end);
   }
 
   void addCells()
   {
-    store_.cells.reserve(withSpare(keys_.size()));
-    store_.cells.resize(keys_.size());
+    mesh_.cells.reserve(withSpare(keys_.size()));
+    mesh_.cells.resize(keys_.size());
     forEach(keys_.size(), [&](std::uint32_t c) { setCell(c, keys_[c], CellState::Free); });
     result_.opened.cells = static_cast<std::uint32_t>(keys_.size());
   }
@@ -115,15 +115,15 @@ private:
     const Vector size = minus(high, low);
     EditCell cell;
     cell.centre = scaled(plus(low, high), 0.5);
-    cell.box = size[0] * size[1] * size[2];
-    cell.volume = cell.box;
-    cell.edge = std::cbrt(cell.box);
+    cell.boxVolume = size[0] * size[1] * size[2];
+    cell.volume = cell.boxVolume;
+    cell.edge = std::cbrt(cell.boxVolume);
     cell.number = key;
-    cell.home = box;
+    cell.boxIndex = box;
     cell.state = state;
     cell.wall = isHexahedron(key) ? NoBoundary : parts_.wall.cells[key].boundary;
     cell.region = isHexahedron(key) ? parts_.boxes.regionOf(box) : parts_.wall.cells[key].region;
-    store_.cells[c] = cell;
+    mesh_.cells[c] = cell;
     numbers_[key] = c;
   }
 
@@ -131,7 +131,7 @@ private:
   void addGhosts()
   {
     const std::vector<CellKey> ghosts = takeGhosts(faces_, execution_);
-    store_.cells.resize(keys_.size() + ghosts.size());
+    mesh_.cells.resize(keys_.size() + ghosts.size());
     forEach(ghosts.size(),
       [&](std::uint32_t i) { setCell(result_.opened.cells + i, ghosts[i], CellState::Ghost); });
   }
@@ -153,8 +153,8 @@ private:
       }
     });
     const std::size_t count = scan(start);
-    store_.nodes.reserve(withSpare(count));
-    store_.nodes.resize(count);
+    mesh_.nodes.reserve(withSpare(count));
+    mesh_.nodes.resize(count);
     nodeOf_.resize(parts_.nodes.at.size() + faces_.vertices.size());
     std::vector<std::vector<VertexNode>> onVertices(start.size());
     execution_.forEach(places.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
@@ -180,9 +180,9 @@ private:
     const std::uint32_t n = nodeOf_[from];
     EditNode node;
     node.at = result_.inside(place.point());
-    node.home = node.at;
+    node.referencePosition = node.at;
     node.number = from < known ? from : std::uint32_t(None);
-    store_.nodes[n] = node;
+    mesh_.nodes[n] = node;
     if (from >= known)
     {
       onVertices.push_back(faces_.vertices[from - known]);
@@ -234,10 +234,10 @@ private:
     }
     const std::size_t count = scan(first);
     const std::size_t corners = scan(firstCorner);
-    store_.faces.reserve(withSpare(count));
-    store_.faces.resize(count);
-    store_.arenas[0].reserve(2 * corners + 2 * count); // also for the lists of nodes and cells
-    store_.arenas[0].resize(corners);
+    mesh_.faces.reserve(withSpare(count));
+    mesh_.faces.resize(count);
+    mesh_.arenas[0].reserve(2 * corners + 2 * count); // also for the lists of nodes and cells
+    mesh_.arenas[0].resize(corners);
     AsOpened& opened = result_.opened;
     opened.start.resize(count + 1);
     opened.start[0] = 0;
@@ -255,7 +255,7 @@ private:
       }
       list = OpenedFaceList();
     });
-    opened.corners = store_.arenas[0];
+    opened.corners = mesh_.arenas[0];
   }
 
   void setFace(
@@ -270,8 +270,8 @@ private:
     face.wall =
       face.above == None && listed.wall == NoBoundary ? wallAtEnd(corners, size) : listed.wall;
     face.corners = listAt(first, size, 0);
-    std::copy_n(corners, size, store_.arenas[0].begin() + std::ptrdiff_t(first));
-    store_.faces[f] = face;
+    std::copy_n(corners, size, mesh_.arenas[0].begin() + std::ptrdiff_t(first));
+    mesh_.faces[f] = face;
     result_.opened.start[f + 1] = static_cast<std::uint32_t>(first + size);
     result_.opened.cellsOf[f] = { face.below, face.above };
     result_.opened.turned[f] = listed.turned ? 1 : 0;
@@ -283,9 +283,9 @@ private:
     for (std::size_t side = 0; side < 6; ++side)
     {
       const std::size_t axis = side / 2;
-      const double at = (side % 2 == 1 ? store_.high : store_.low)[axis];
+      const double at = (side % 2 == 1 ? mesh_.high : mesh_.low)[axis];
       if (std::all_of(corners, corners + size,
-            [&](std::uint32_t n) { return store_.nodes[n].at[axis] == at; }))
+            [&](std::uint32_t n) { return mesh_.nodes[n].at[axis] == at; }))
       {
         return wallOfEnd(side);
       }
@@ -299,13 +299,13 @@ private:
   {
     result_.opened.facesOf.resize(result_.opened.cells);
     forEach(result_.opened.cells,
-      [&](std::uint32_t c) { result_.opened.facesOf[c] = store_.cells[c].faces.size; });
-    forEach(store_.nodes.size(), [&](std::uint32_t n) {
-      EditNode& node = store_.nodes[n];
+      [&](std::uint32_t c) { result_.opened.facesOf[c] = mesh_.cells[c].faces.size; });
+    forEach(mesh_.nodes.size(), [&](std::uint32_t n) {
+      EditNode& node = mesh_.nodes[n];
       for (const std::uint32_t f : result_.mesh.facesAround(n))
       {
-        const EditFace& face = store_.faces[f];
-        node.held |= heldBy(face);
+        const EditFace& face = mesh_.faces[f];
+        node.constrainedAxes |= heldBy(face);
         node.atWall = node.atWall || face.wall != NoBoundary;
       }
     });
@@ -316,10 +316,10 @@ private:
   {
     if (face.above != None)
     {
-      return result_.mesh.isGhost(face.above) ? HeldFast : std::uint8_t(0);
+      return result_.mesh.isGhost(face.above) ? AllAxes : std::uint8_t(0);
     }
     return isWallOfEnd(face.wall) ? static_cast<std::uint8_t>(1 << (face.wall - FirstOfEnds) / 2)
-      : face.wall == NoBoundary   ? HeldFast
+      : face.wall == NoBoundary   ? AllAxes
                                   : std::uint8_t(0);
   }
 
@@ -328,8 +328,8 @@ private:
     forEach(keys_.size(), [&](std::uint32_t c) {
       if (!isHexahedron(keys_[c]) && touchesItself(result_.mesh, c))
       {
-        store_.cells[c].state = CellState::Frozen;
-        store_.cells[c].touches = true;
+        mesh_.cells[c].state = CellState::Frozen;
+        mesh_.cells[c].touches = true;
       }
     });
   }
@@ -359,27 +359,27 @@ private:
 
   void measure()
   {
-    noteMisses(store_, execution_);
-    measureAll(store_, execution_);
+    noteEulerDefects(mesh_, execution_);
+    measureAll(mesh_, execution_);
     const Patches& patches = parts_.patches;
     const std::vector<float> missing = missingByFace();
-    forEach(store_.faces.size(), [&](std::uint32_t f) {
-      EditFace& face = store_.faces[f];
+    forEach(mesh_.faces.size(), [&](std::uint32_t f) {
+      EditFace& face = mesh_.faces[f];
       face.original = isSurface(face) ? face.area : Vector{};
       if (isSurface(face) && face.number < missing.size())
       {
-        const EditCell& below = store_.cells[face.below];
+        const EditCell& below = mesh_.cells[face.below];
         const double most = MostMissing * below.edge;
         const bool isBehind = face.above == None || below.region == patches.walls.behind(face.wall);
-        face.debt = std::clamp(missing[face.number] * store_.level, -most, most) * norm(face.area) *
-          (isBehind ? 1 : -1);
+        face.volumeDeficit = std::clamp(missing[face.number] * mesh_.level, -most, most) *
+          norm(face.area) * (isBehind ? 1 : -1);
       }
     });
   }
 
   const MeshParts& parts_;
   EditableWall& result_;
-  EditStore& store_;
+  EditMesh& mesh_;
   Execution& execution_;
   std::vector<CellKey> keys_;
   OpenedCells numbers_;
@@ -420,7 +420,7 @@ EditableWall openWall(const MeshParts& parts, const OpeningSpec& spec, Execution
   EditableWall result;
   if (spec.layers)
   {
-    result.mesh.store().layered = findLayered(*spec.layers, parts);
+    result.mesh.mesh().layered = findLayered(*spec.layers, parts);
   }
   Opening(parts, result, execution).run(spec.featureAngle);
   return result;

@@ -2,7 +2,6 @@
 #include "Editing/WallSimplification.h"
 
 #include "Base/Sorting.h"
-#include "Editing/Debts.h"
 #include "Editing/EdgeArea.h"
 #include "Editing/EditDecision.h"
 #include "Editing/EditLoop.h"
@@ -10,6 +9,7 @@
 #include "Editing/PrimitiveEdits.h"
 #include "Editing/Proposals.h"
 #include "Editing/ShortEdges.h"
+#include "Editing/VolumeDeficits.h"
 #include "Editing/WallEdges.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ using Walls = FixedList<std::pair<double, std::uint32_t>, Capacity>;
 class WallSimplifier
 {
 public:
-  WallSimplifier(EditMesh& mesh, const SimplificationSpec& spec, const EditRules& rules,
+  WallSimplifier(MeshEditor& mesh, const SimplificationSpec& spec, const EditRules& rules,
     const std::function<void()>& poll, std::vector<std::uint32_t>& changed)
     : mesh_(mesh)
     , spec_(spec)
@@ -66,26 +66,29 @@ public:
       return;
     }
     const EditNode& node = mesh_.node(n);
-    const double strayed = distanceToSegment(node.at, mesh_.node(p).at, mesh_.node(q).at) +
-      double(std::max({ node.strayed, mesh_.node(p).strayed, mesh_.node(q).strayed }));
+    const double accumulatedDeviation =
+      distanceToSegment(node.at, mesh_.node(p).at, mesh_.node(q).at) +
+      double(std::max({ node.accumulatedDeviation, mesh_.node(p).accumulatedDeviation,
+        mesh_.node(q).accumulatedDeviation }));
     const double tolerance = node.kind >= NodeKind::OnEdge ? spec_.ofEdges : spec_.tolerance;
-    if (strayed > tolerance * mesh_.edgeAt(n) || (node.held & ~mesh_.node(p).held) != 0)
+    if (accumulatedDeviation > tolerance * mesh_.edgeAt(n) ||
+      (node.constrainedAxes & ~mesh_.node(p).constrainedAxes) != 0)
     {
       return;
     }
-    const EditMesh::Mark mark = mesh_.mark();
+    const MeshEditor::Mark mark = mesh_.mark();
     bool isMade = collapseEdge(mesh_, n, p, placeKeepingArea(mesh_, n, p, mesh_.node(p).at));
     if (isMade)
     {
-      mesh_.changeNode(p).strayed = static_cast<float>(strayed);
-      mesh_.changeNode(q).strayed = static_cast<float>(strayed);
+      mesh_.changeNode(p).accumulatedDeviation = static_cast<float>(accumulatedDeviation);
+      mesh_.changeNode(q).accumulatedDeviation = static_cast<float>(accumulatedDeviation);
       isMade = areSound(LeastStarBetween, MostWarpBetween);
     }
     finish(mark, isMade);
   }
 
 private:
-  void finish(const EditMesh::Mark& mark, bool isMade)
+  void finish(const MeshEditor::Mark& mark, bool isMade)
   {
     if (++tried_ % TrialsAPoll == 0)
     {
@@ -93,7 +96,7 @@ private:
     }
     if (isMade)
     {
-      passOnDebts(mesh_);
+      passOnDeficits(mesh_);
       listChanged(mesh_, changed_);
       mesh_.commit();
     }
@@ -106,8 +109,8 @@ private:
   // What changed: faces star-shaped and flat enough, cells closed.
   bool areSound(double leastStar, double mostWarp)
   {
-    return settleShapes(mesh_) &&
-      std::all_of(mesh_.unsettled.faces.begin(), mesh_.unsettled.faces.end(), [&](std::uint32_t f) {
+    return updateShapes(mesh_) &&
+      std::all_of(mesh_.dirty.faces.begin(), mesh_.dirty.faces.end(), [&](std::uint32_t f) {
         const EditFace& face = mesh_.face(f);
         return face.gone || (face.star > leastStar && face.warp < mostWarp);
       });
@@ -190,7 +193,7 @@ private:
     {
       return false;
     }
-    const EditMesh::Mark mark = mesh_.mark();
+    const MeshEditor::Mark mark = mesh_.mark();
     bool isMade = joinFaces(mesh_, f, g) && areSound(LeastStar, MostWarp);
     if (isMade)
     {
@@ -199,9 +202,9 @@ private:
       {
         farthest = std::max(farthest, distanceToFace(mesh_, p, f));
       }
-      const double strayed = double(mesh_.face(f).strayed) + farthest;
-      mesh_.changeFace(f).strayed = static_cast<float>(strayed);
-      isMade = !rules_.mayChangeWalls || strayed < spec_.tolerance * edge;
+      const double accumulatedDeviation = double(mesh_.face(f).accumulatedDeviation) + farthest;
+      mesh_.changeFace(f).accumulatedDeviation = static_cast<float>(accumulatedDeviation);
+      isMade = !rules_.mayChangeWalls || accumulatedDeviation < spec_.tolerance * edge;
     }
     finish(mark, isMade);
     return isMade;
@@ -235,7 +238,7 @@ private:
     return true;
   }
 
-  EditMesh& mesh_;
+  MeshEditor& mesh_;
   const SimplificationSpec& spec_;
   const EditRules& rules_;
   const std::function<void()>& poll_;
@@ -259,7 +262,7 @@ void joinInPlanes(const ZoneTask& task, const SimplificationSpec& spec, const Ed
 void joinWalls(const ZoneTask& task, const SimplificationSpec& spec, const EditRules& rules,
   const std::function<void()>& poll, std::vector<std::uint32_t>& changed)
 {
-  EditMesh& mesh = task.mesh;
+  MeshEditor& mesh = task.mesh;
   std::vector<std::uint32_t> nodes;
   task.forEachFace([&](std::uint32_t f) {
     if (mesh.isSurface(f))
@@ -291,13 +294,13 @@ void joinWalls(const ZoneTask& task, const SimplificationSpec& spec, const EditR
 void simplifyWalls(const ZoneTask& task, const SimplificationSpec& spec, const EditRules& rules,
   const std::function<void()>& poll)
 {
-  EditMesh& mesh = task.mesh;
+  MeshEditor& mesh = task.mesh;
   std::vector<std::uint32_t> changed;
   if (!rules.mayChangeWalls)
   {
     joinInPlanes(task, spec, rules, poll, changed);
   }
-  weldEdges(task, rules, spec.weld, poll, changed);
+  collapseShortEdges(task, rules, spec.weld, poll, changed);
   if (!rules.mayChangeWalls)
   {
     joinInPlanes(task, spec, rules, poll, changed);

@@ -42,18 +42,18 @@ void extend(Records& all, std::size_t size, Execution& execution)
 template <class Record>
 struct Kind
 {
-  RecordVector<Record> EditStore::*all;
+  RecordVector<Record> EditMesh::*all;
   Slots FreeSlots::*slots;
   std::size_t SlotCounts::*count;
 };
 
 // Spare ones first, the last of them before the others.
 template <class Record>
-void give(EditStore& store, const Kind<Record>& kind, const std::vector<SlotCounts>& counts,
+void give(EditMesh& mesh, const Kind<Record>& kind, const std::vector<SlotCounts>& counts,
   std::vector<FreeSlots>& given, Execution& execution)
 {
-  RecordVector<Record>& all = store.*kind.all;
-  std::vector<std::uint32_t>& spare = (store.spare.*kind.slots).numbers;
+  RecordVector<Record>& all = mesh.*kind.all;
+  std::vector<std::uint32_t>& spare = (mesh.spare.*kind.slots).numbers;
   std::size_t missing = 0;
   for (std::size_t z = 0; z < counts.size(); ++z)
   {
@@ -78,26 +78,26 @@ void give(EditStore& store, const Kind<Record>& kind, const std::vector<SlotCoun
 }
 
 std::vector<FreeSlots> giveSlots(
-  EditStore& store, const std::vector<SlotCounts>& counts, Execution& execution)
+  EditMesh& mesh, const std::vector<SlotCounts>& counts, Execution& execution)
 {
   std::vector<FreeSlots> given(counts.size());
   give<EditNode>(
-    store, { &EditStore::nodes, &FreeSlots::nodes, &SlotCounts::nodes }, counts, given, execution);
+    mesh, { &EditMesh::nodes, &FreeSlots::nodes, &SlotCounts::nodes }, counts, given, execution);
   give<EditFace>(
-    store, { &EditStore::faces, &FreeSlots::faces, &SlotCounts::faces }, counts, given, execution);
+    mesh, { &EditMesh::faces, &FreeSlots::faces, &SlotCounts::faces }, counts, given, execution);
   give<EditCell>(
-    store, { &EditStore::cells, &FreeSlots::cells, &SlotCounts::cells }, counts, given, execution);
+    mesh, { &EditMesh::cells, &FreeSlots::cells, &SlotCounts::cells }, counts, given, execution);
   return given;
 }
 
-void takeSlotsBack(EditStore& store, const std::vector<FreeSlots>& slots)
+void takeSlotsBack(EditMesh& mesh, const std::vector<FreeSlots>& slots)
 {
   for (const FreeSlots& some : slots)
   {
     for (Slots FreeSlots::*kind : { &FreeSlots::nodes, &FreeSlots::faces, &FreeSlots::cells })
     {
       const Slots& rest = some.*kind;
-      std::vector<std::uint32_t>& spare = (store.spare.*kind).numbers;
+      std::vector<std::uint32_t>& spare = (mesh.spare.*kind).numbers;
       spare.insert(spare.end(), rest.numbers.begin() + static_cast<std::ptrdiff_t>(rest.used),
         rest.numbers.end());
     }

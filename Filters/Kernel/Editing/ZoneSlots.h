@@ -15,11 +15,11 @@ struct SlotCounts
   std::size_t cells;
 };
 
-// Of each zone; the store has room for all of them then.
+// Of each zone; the mesh has room for all of them then.
 std::vector<FreeSlots> giveSlots(
-  EditStore& store, const std::vector<SlotCounts>& counts, Execution& execution);
+  EditMesh& mesh, const std::vector<SlotCounts>& counts, Execution& execution);
 
 // What was not used.
-void takeSlotsBack(EditStore& store, const std::vector<FreeSlots>& slots);
+void takeSlotsBack(EditMesh& mesh, const std::vector<FreeSlots>& slots);
 
 }

@@ -29,7 +29,7 @@ class Rebuilder
 {
 public:
   Rebuilder(const Boxes& boxes, const Patches& patches, const Sides& sides, const Nodes& nodes,
-    const InnerFaces& inner, const std::vector<std::uint8_t>& flawed, GivenUp givenUp,
+    const InnerFaces& inner, const std::vector<std::uint8_t>& flawed, RebuildLevel givenUp,
     Execution& execution)
     : boxes_(boxes)
     , patches_(patches)
@@ -47,7 +47,7 @@ public:
 
   RebuiltPatches rebuild()
   {
-    lines_.judge(givenUp_ != GivenUp::Crossings, points_, execution_);
+    lines_.judge(givenUp_ != RebuildLevel::Crossings, points_, execution_);
     judgeSides();
     RebuiltPatches result;
     result.boxes = flawed_;
@@ -72,9 +72,9 @@ private:
     newChordsOf_.assign(sides_.common.size(), None);
     for (const std::uint32_t s : lines_.nearSides())
     {
-      const bool forced = givenUp_ == GivenUp::Detail
+      const bool forced = givenUp_ == RebuildLevel::Detail
         ? lines_.isOfFlawed(s) && isBetweenFlawed(s)
-        : givenUp_ != GivenUp::Nothing && lines_.isOfFlawed(s);
+        : givenUp_ != RebuildLevel::Nothing && lines_.isOfFlawed(s);
       if (lines_.changes(s) || inner_.flawed[s] != 0 || forced)
       {
         newChordsOf_[s] = static_cast<std::uint32_t>(changed_.size());
@@ -110,7 +110,7 @@ private:
 
   bool keepsCrossings(std::uint32_t s) const
   {
-    return givenUp_ == GivenUp::Detail && !lines_.changes(s) && inner_.flawed[s] == 0;
+    return givenUp_ == RebuildLevel::Detail && !lines_.changes(s) && inner_.flawed[s] == 0;
   }
 
   std::vector<SideEdge> simplerChords(
@@ -325,7 +325,7 @@ private:
   const Nodes& nodes_;
   const InnerFaces& inner_;
   const std::vector<std::uint8_t>& flawed_;
-  GivenUp givenUp_;
+  RebuildLevel givenUp_;
   Execution& execution_;
   SideChords sideChords_;
   NewPoints points_;
@@ -340,7 +340,7 @@ private:
 
 RebuiltPatches rebuildFlawedBoxes(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, const std::vector<std::uint8_t>& flawed,
-  GivenUp givenUp, Execution& execution)
+  RebuildLevel givenUp, Execution& execution)
 {
   return Rebuilder(boxes, patches, sides, nodes, inner, flawed, givenUp, execution).rebuild();
 }

@@ -20,7 +20,7 @@ namespace cartesian
 {
 
 // What flawed boxes lose, even where it closes.
-enum class GivenUp : std::uint8_t
+enum class RebuildLevel : std::uint8_t
 {
   Detail, // boxes that close: sides between two of them get simplified chords (ChordSimplification.h)
   Nothing,
@@ -37,6 +37,6 @@ struct RebuiltPatches
 // `flawed`: of the polyhedral boxes.
 RebuiltPatches rebuildFlawedBoxes(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, const std::vector<std::uint8_t>& flawed,
-  GivenUp givenUp, Execution& execution);
+  RebuildLevel givenUp, Execution& execution);
 
 }

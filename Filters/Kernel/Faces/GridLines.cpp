@@ -32,20 +32,21 @@ void GridLines::judge(bool keepsSeveral, NewPoints& points, Execution& execution
   lookAtLines(execution);
   inferStatuses();
   sideChanges_.assign(sides_.common.size(), 0);
-  const Sight* const last = sights_.data() + sights_.size();
-  for (const Sight* begin = sights_.data(); begin != last;)
+  const LineObservation* const last = sights_.data() + sights_.size();
+  for (const LineObservation* begin = sights_.data(); begin != last;)
   {
-    const Sight* const end =
-      std::find_if(begin, last, [&](const Sight& sight) { return !sight.sameLine(*begin); });
+    const LineObservation* const end = std::find_if(
+      begin, last, [&](const LineObservation& sight) { return !sight.sameLine(*begin); });
     const bool ofFlawed =
-      std::any_of(begin, end, [&](const Sight& sight) { return isOfFlawed(sight.side); });
+      std::any_of(begin, end, [&](const LineObservation& sight) { return isOfFlawed(sight.side); });
     const bool keeps = (keepsSeveral || begin->end - begin->first < 2) &&
       std::all_of(begin, end,
-        [&](const Sight& sight) { return seesTheSame(sight, *begin) && leadsOn(sight); });
+        [&](const LineObservation& sight) { return seesTheSame(sight, *begin) && leadsOn(sight); });
     if (ofFlawed && !keeps)
     {
       newLines_.push_back({ begin->low, begin->high, newCrossing(begin, end, points) });
-      std::for_each(begin, end, [&](const Sight& sight) { sideChanges_[sight.side] = 1; });
+      std::for_each(
+        begin, end, [&](const LineObservation& sight) { sideChanges_[sight.side] = 1; });
     }
     begin = end;
   }
@@ -130,7 +131,7 @@ void GridLines::lookAtLines(Execution& execution)
     }
     const auto before = static_cast<std::uint32_t>(crossings_.size());
     crossings_.insert(crossings_.end(), ofChunk.crossings.begin(), ofChunk.crossings.end());
-    for (Sight sight : ofChunk.sights)
+    for (LineObservation sight : ofChunk.sights)
     {
       sight.first += before;
       sight.end += before;
@@ -161,7 +162,7 @@ void GridLines::addSight(std::uint32_t s, const std::vector<BorderNode>& border,
   std::size_t next, SeenLines& seen)
 {
   std::vector<StatusChange>& crossings = seen.crossings;
-  Sight sight;
+  LineObservation sight;
   sight.low = border[i].node;
   sight.high = border[next < border.size() ? next : 0].node;
   sight.side = s;
@@ -191,7 +192,7 @@ void GridLines::addSight(std::uint32_t s, const std::vector<BorderNode>& border,
   seen.sights.push_back(sight);
 }
 
-int GridLines::changeAlong(const Sight& sight) const
+int GridLines::changeAlong(const LineObservation& sight) const
 {
   int sum = 0;
   for (std::uint32_t c = sight.first; c < sight.end; ++c)
@@ -208,7 +209,7 @@ void GridLines::inferStatuses()
   for (bool changed = true; changed;)
   {
     changed = false;
-    for (const Sight& sight : sights_)
+    for (const LineObservation& sight : sights_)
     {
       std::int8_t& low = status_[sight.low];
       std::int8_t& high = status_[sight.high];
@@ -223,7 +224,7 @@ void GridLines::inferStatuses()
 }
 
 // Whether the crossings lead from the status of one end to that of the other.
-bool GridLines::leadsOn(const Sight& sight) const
+bool GridLines::leadsOn(const LineObservation& sight) const
 {
   int status = status_[sight.low];
   for (std::uint32_t c = sight.first; c < sight.end; ++c)
@@ -237,7 +238,7 @@ bool GridLines::leadsOn(const Sight& sight) const
   return status == status_[sight.high];
 }
 
-bool GridLines::seesTheSame(const Sight& a, const Sight& b) const
+bool GridLines::seesTheSame(const LineObservation& a, const LineObservation& b) const
 {
   return std::equal(crossings_.begin() + a.first, crossings_.begin() + a.end,
     crossings_.begin() + b.first, crossings_.begin() + b.end);
@@ -245,7 +246,8 @@ bool GridLines::seesTheSame(const Sight& a, const Sight& b) const
 
 // The middle one of the crossings that change the status as they should, or of all crossings, or a new
 // point.
-StatusChange GridLines::newCrossing(const Sight* begin, const Sight* end, NewPoints& points) const
+StatusChange GridLines::newCrossing(
+  const LineObservation* begin, const LineObservation* end, NewPoints& points) const
 {
   const int change = status_[begin->high] - status_[begin->low];
   if (change == 0)
@@ -254,7 +256,7 @@ StatusChange GridLines::newCrossing(const Sight* begin, const Sight* end, NewPoi
   }
   std::vector<std::uint32_t> right;
   std::vector<std::uint32_t> all;
-  for (const Sight* sight = begin; sight != end; ++sight)
+  for (const LineObservation* sight = begin; sight != end; ++sight)
   {
     for (std::uint32_t c = sight->first; c < sight->end; ++c)
     {

@@ -79,7 +79,7 @@ public:
 
 private:
   // A line as one side sees it, with its crossings [first, end), upward.
-  struct Sight
+  struct LineObservation
   {
     std::uint32_t low; // grid nodes
     std::uint32_t high;
@@ -87,8 +87,11 @@ private:
     std::uint32_t first;
     std::uint32_t end;
 
-    bool sameLine(const Sight& other) const { return low == other.low && high == other.high; }
-    bool operator<(const Sight& other) const
+    bool sameLine(const LineObservation& other) const
+    {
+      return low == other.low && high == other.high;
+    }
+    bool operator<(const LineObservation& other) const
     {
       return std::tie(low, high, side) < std::tie(other.low, other.high, other.side);
     }
@@ -97,7 +100,7 @@ private:
   // The lines around a chunk of sides.
   struct SeenLines
   {
-    std::vector<Sight> sights;
+    std::vector<LineObservation> sights;
     std::vector<StatusChange> crossings;
     std::vector<std::pair<std::uint32_t, KnownStatus>> statuses; // of grid nodes
   };
@@ -113,19 +116,20 @@ private:
   void lookAround(std::uint32_t side, SideView& view, SeenLines& seen) const;
   static void addSight(std::uint32_t side, const std::vector<BorderNode>& border, std::size_t i,
     std::size_t next, SeenLines& seen);
-  int changeAlong(const Sight& sight) const;
+  int changeAlong(const LineObservation& sight) const;
   void inferStatuses();
-  bool leadsOn(const Sight& sight) const;
-  bool seesTheSame(const Sight& a, const Sight& b) const;
-  StatusChange newCrossing(const Sight* begin, const Sight* end, NewPoints& points) const;
+  bool leadsOn(const LineObservation& sight) const;
+  bool seesTheSame(const LineObservation& a, const LineObservation& b) const;
+  StatusChange newCrossing(
+    const LineObservation* begin, const LineObservation* end, NewPoints& points) const;
 
   const Sides& sides_;
   const Nodes& nodes_;
   const SideChords& sideChords_;
   const std::vector<std::uint8_t>& flawed_;
   std::vector<std::uint32_t> nearSides_;
-  std::vector<std::int8_t> status_; // of grid nodes near flawed boxes, or KnownStatus::Unknown
-  std::vector<Sight> sights_;       // line by line
+  std::vector<std::int8_t> status_;     // of grid nodes near flawed boxes, or KnownStatus::Unknown
+  std::vector<LineObservation> sights_; // line by line
   std::vector<StatusChange> crossings_;
   std::vector<NewLine> newLines_; // in order
   std::vector<std::uint8_t> sideChanges_;

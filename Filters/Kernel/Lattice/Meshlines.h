@@ -36,7 +36,7 @@ constexpr int LeastPlaneLevel = 6;
 struct Meshlines
 {
   std::array<std::vector<Level>, 3> lines;
-  std::array<std::vector<MovedPlane>, 3> moved = {}; // in order (PlanesAside.h)
+  std::array<std::vector<MovedPlane>, 3> moved = {}; // in order (PlanePerturbation.h)
 
   // Of the planes that may divide boxes: how often they halve the space between meshlines.
   int planeLevel = LeastPlaneLevel;

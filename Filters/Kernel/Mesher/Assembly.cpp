@@ -107,7 +107,7 @@ void simplifyDetail(Assembly& a, Execution& execution)
   makeInnerFaces(a, execution);
   const auto simplified = [&] {
     return rebuildFlawedBoxes(
-      a.boxes, a.patches, a.sides, a.nodes, a.inner, detailed, GivenUp::Detail, execution)
+      a.boxes, a.patches, a.sides, a.nodes, a.inner, detailed, RebuildLevel::Detail, execution)
       .patches;
   };
   std::vector<double> behind(detailed.size());
@@ -184,7 +184,8 @@ Options forWalls(Options options, const Walls& walls)
 BoxFlags rebuildFlawed(Assembly& a, BoxFlags flawed, Execution& execution)
 {
   BoxFlags all(flawed.size());
-  for (const GivenUp givenUp : { GivenUp::Nothing, GivenUp::Chords, GivenUp::Crossings })
+  for (const RebuildLevel givenUp :
+    { RebuildLevel::Nothing, RebuildLevel::Chords, RebuildLevel::Crossings })
   {
     if (std::find(flawed.begin(), flawed.end(), 1) == flawed.end())
     {
@@ -295,14 +296,14 @@ void count(Assembly& a, const std::vector<MadeEdit>& edits)
 {
   for (const MadeEdit& edit : edits)
   {
-    if (a.boxes.isCore(a.boxes.packed[edit.home]))
+    if (a.boxes.isCore(a.boxes.packed[edit.boxIndex]))
     {
       a.edits.merged += edit.kind == EditKind::Merge ? 1 : 0;
       a.edits.split += edit.kind == EditKind::Cut ? 1 : 0;
       a.edits.simplified += edit.kind == EditKind::Flatten ? 1 : 0;
       if (edit.kind == EditKind::Remove)
       {
-        a.edits.removed.push_back({ edit.home, edit.removed, edit.reason });
+        a.edits.removed.push_back({ edit.boxIndex, edit.removed, edit.reason });
       }
     }
   }
@@ -338,7 +339,7 @@ void editWall(
   count(a, improveWall(wall.mesh, improvementOf(options, isExact(a.patches)), execution));
   execution.stage("Closing of the wall", AfterEdits, AfterClosing);
   closeWall(wall, a.boxes, a.patches.walls, a.sides, a.nodes, a.wall, execution);
-  wall.mesh.store().release(execution);
+  wall.mesh.mesh().release(execution);
   execution.stage("Checks of cells", AfterClosing, AfterEditing);
 }
 

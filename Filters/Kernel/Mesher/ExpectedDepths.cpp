@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesher/ExpectedDepths.h"
 
-#include "Boxes/PlanesAside.h"
+#include "Boxes/PlanePerturbation.h"
 #include "Mesher/Mesher.h"
 
 #include <algorithm>

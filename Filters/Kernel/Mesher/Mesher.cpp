@@ -3,7 +3,7 @@
 
 #include "Base/Error.h"
 #include "Boxes/MeshEstimate.h"
-#include "Boxes/PlanesAside.h"
+#include "Boxes/PlanePerturbation.h"
 #include "Layers/BoxSides.h"
 #include "Patches/Patches.h"
 #include "Repair/Regions.h"

@@ -25,13 +25,13 @@ constexpr double MostGridCells = 1024; // in each direction
 }
 
 LineGrid::LineGrid(
-  const Surface& surface, int along, std::vector<VotingLine>& lines, Execution& execution)
+  const Surface& surface, int along, std::vector<SampleRay>& lines, Execution& execution)
   : axes_(RowsAlong[static_cast<std::size_t>(along)])
   , lines_(lines)
 {
   std::sort(lines_.begin(), lines_.end());
   Bounds bounds = Bounds::none();
-  for (const VotingLine& line : lines_)
+  for (const SampleRay& line : lines_)
   {
     bounds.include(0, line.middle);
     bounds.include(1, line.outer);
@@ -77,10 +77,10 @@ void LineGrid::fileLines()
   const auto count = static_cast<double>(lines_.size());
   cells_ = static_cast<std::size_t>(std::clamp(std::sqrt(count), 1.0, MostGridCells));
   start_.assign(cells_ * cells_ + 1, 0);
-  const auto cellOf = [&](const VotingLine& line) {
+  const auto cellOf = [&](const SampleRay& line) {
     return cellAt(0, line.middle) + cells_ * cellAt(1, line.outer);
   };
-  for (const VotingLine& line : lines_)
+  for (const SampleRay& line : lines_)
   {
     ++start_[cellOf(line)];
   }

@@ -3,7 +3,7 @@
 // each cell.
 #pragma once
 
-#include "Repair/VotingLines.h"
+#include "Repair/SampleRays.h"
 #include "Surface/LineCrossings.h"
 
 namespace cartesian
@@ -14,7 +14,7 @@ class LineGrid
 public:
   // Borrows `lines`, sorts them, and drops the last ones if the surface's triangles would have to
   // be tested against too many.
-  LineGrid(const Surface& surface, int along, std::vector<VotingLine>& lines, Execution& execution);
+  LineGrid(const Surface& surface, int along, std::vector<SampleRay>& lines, Execution& execution);
 
   // Calls visit(line) with the numbers of the lines that cross a triangle.
   template <class Visitor>
@@ -30,7 +30,7 @@ public:
         const std::size_t cell = m + o * cells_;
         for (std::size_t i = start_[cell]; i < start_[cell + 1]; ++i)
         {
-          const VotingLine& line = lines_[number_[i]];
+          const SampleRay& line = lines_[number_[i]];
           if (line.outer > least && line.outer < most)
           {
             const auto [from, to, up] = crossedLevels(c, axes_, line.outer);
@@ -65,7 +65,7 @@ private:
   double tests(const Surface& surface, Execution& execution) const;
 
   const RowAxes axes_;
-  std::vector<VotingLine>& lines_;
+  std::vector<SampleRay>& lines_;
   std::size_t cells_ = 1; // in each direction
   std::array<double, 2> low_{};
   std::array<double, 2> size_{};

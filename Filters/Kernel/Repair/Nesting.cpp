@@ -18,7 +18,8 @@ constexpr long long SamplesByInside = 4;
 class NestingFinder
 {
 public:
-  NestingFinder(const SheetShapes& shapes, const SheetVotes& votes, const SheetCrossings& crossings)
+  NestingFinder(
+    const SheetShapes& shapes, const RayParityVotes& votes, const ComponentIntersections& crossings)
     : shapes_(shapes)
     , votes_(votes)
     , crossings_(crossings)
@@ -119,15 +120,15 @@ private:
   }
 
   const SheetShapes& shapes_;
-  const SheetVotes& votes_;
-  const SheetCrossings& crossings_;
+  const RayParityVotes& votes_;
+  const ComponentIntersections& crossings_;
   std::vector<std::uint32_t> closed_; // sheets, the larger ones first, in which others may lie
 };
 
 }
 
 std::vector<int> depthsOf(
-  const SheetShapes& shapes, const SheetVotes& votes, const SheetCrossings& crossings)
+  const SheetShapes& shapes, const RayParityVotes& votes, const ComponentIntersections& crossings)
 {
   return NestingFinder(shapes, votes, crossings).run();
 }

@@ -61,7 +61,8 @@ public:
     {
       shapes_.givenWay.push_back(givenWay(s, size[s]));
     }
-    depth_ = depthsOf(shapes_, votes_, SheetCrossings(surface, sheets, pairs, shapes_.volume));
+    depth_ =
+      depthsOf(shapes_, votes_, ComponentIntersections(surface, sheets, pairs, shapes_.volume));
   }
 
   // A tie between the votes on a sheet that does not pass through itself.
@@ -95,21 +96,21 @@ private:
   bool isNested(std::uint32_t sheet) const { return votes_.samples[sheet] > 0; }
 
   // By itself where its depth is known.
-  const SheetVotes::OfFacing& votesOn(std::uint32_t sheet) const
+  const RayParityVotes::OfFacing& votesOn(std::uint32_t sheet) const
   {
     return isNested(sheet) ? votes_.alone[sheet] : votes_.amongAll[sheet];
   }
 
   bool passesThroughItself(std::uint32_t sheet) const
   {
-    const SheetVotes::OfFacing& votes = votesOn(sheet);
+    const RayParityVotes::OfFacing& votes = votesOn(sheet);
     const long long fewer = std::min(votes.outward, votes.inward);
     return sheets_.closed(sheet) && fewer > 0 &&
       VotesPerDissent * fewer >= votes.outward + votes.inward;
   }
 
   const Sheets& sheets_;
-  const SheetVotes votes_;
+  const RayParityVotes votes_;
   SheetShapes shapes_;
   std::vector<int> depth_;
   std::vector<long long>

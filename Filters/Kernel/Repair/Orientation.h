@@ -8,7 +8,7 @@
 // Triangles connected across edges of exactly two triangles form a sheet and get one direction,
 // whatever edges with more triangles bound it. Sheets that close only together, at such edges, keep
 // their relative direction if all triangles around were given consistently. The direction of a
-// sheet is put to the vote of axis-parallel lines (SheetVotes.h). A closed one faces outward by
+// sheet is put to the vote of axis-parallel lines (RayParityVotes.h). A closed one faces outward by
 // its own crossings with them, or inward where it lies an odd number of shells deep; one with at
 // least a quarter of its votes on either side passes through itself, and faces so that its volume
 // is positive. One that is not closed is judged by the crossings with all sheets.

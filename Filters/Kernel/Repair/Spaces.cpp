@@ -2,7 +2,7 @@
 #include "Repair/Spaces.h"
 
 #include "Base/DisjointSets.h"
-#include "Repair/EdgeFan.h"
+#include "Repair/RadialEdgeSort.h"
 #include "Repair/TriangleTree.h"
 #include "Surface/LineCrossings.h"
 #include "Surface/Places.h"
@@ -75,7 +75,7 @@ private:
       flat.triangles.push_back(piece.vertices);
     }
     sides_.reset(2 * pieces_.size());
-    EdgeFan fan(surface_.vertices);
+    RadialEdgeSort fan(surface_.vertices);
     SurfaceEdges(flat, execution)
       .forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
         fan.start(lower, begin->upper);
@@ -83,7 +83,8 @@ private:
         {
           fan.add(use->triangle(), pieces_[use->triangle()].vertices, use->down());
         }
-        fan.forEachSpace([&](const EdgeFan::Blade& one, const EdgeFan::Blade& next) {
+        fan.forEachSpace([&](const RadialEdgeSort::IncidentTriangle& one,
+                           const RadialEdgeSort::IncidentTriangle& next) {
           sides_.unite(sideOf(one.triangle, !one.down), sideOf(next.triangle, next.down));
         });
       });

@@ -4,7 +4,7 @@
 #include "Base/DisjointSets.h"
 #include "Lattice/Vector.h"
 #include "Repair/Arrangement.h"
-#include "Repair/EdgeFan.h"
+#include "Repair/RadialEdgeSort.h"
 #include "Repair/Snapping.h"
 
 #include <algorithm>
@@ -234,7 +234,7 @@ private:
 
   // What stands around an edge: the numbers of pairs and of walls.
   std::array<std::size_t, 2> collect(
-    std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end, EdgeFan& fan) const
+    std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end, RadialEdgeSort& fan) const
   {
     std::array<std::size_t, 2> counts{ 0, 0 };
     fan.start(lower, begin->upper);
@@ -265,7 +265,7 @@ private:
     {
       isOfSheets[front[0]] = isOfSheets[front[1]] = isOfSheets[front[2]] = 1;
     }
-    EdgeFan fan(surface_.vertices);
+    RadialEdgeSort fan(surface_.vertices);
     edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
       if (isOfSheets[lower] == 0 && isOfSheets[begin->upper] == 0)
       {
@@ -275,7 +275,8 @@ private:
       const bool isRim = pairs > 0 && (pairs != 2 || walls > 0);
       const bool isOpen = isRim && !meshed_.empty() && (walls > 0 || pairs % 2 == 1);
       fan.forEachSpace([&, joinsSides = isRim && !isOpen, opens = isOpen](
-                         const EdgeFan::Blade& one, const EdgeFan::Blade& next) {
+                         const RadialEdgeSort::IncidentTriangle& one,
+                         const RadialEdgeSort::IncidentTriangle& next) {
         for (const std::uint32_t v : { lower, begin->upper })
         {
           if (!opens || isMeshed(one.triangle, !one.down) || isMeshed(next.triangle, next.down))

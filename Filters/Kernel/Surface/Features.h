@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds the sharp features of the surface (section 4.7): edges at which it turns by more than the
-// feature angle, or, where its edges are known (KnownEdges.h), those that are known to be sharp.
+// feature angle, or, where its edges are known (FeatureEdgeTags.h), those that are known to be sharp.
 //
 // A thin triangle that is flipped between two sound ones is folded geometry (section 1): its edges
 // are not features.

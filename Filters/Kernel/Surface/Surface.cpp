@@ -235,21 +235,21 @@ std::uint32_t vertexAt(const SurfaceView& view, std::uint32_t point, const Surfa
     : NoVertex;
 }
 
-std::shared_ptr<const KnownEdges> knownEdgesOf(const SurfaceView& view, const Flags& used,
+std::shared_ptr<const FeatureEdgeTags> knownEdgesOf(const SurfaceView& view, const Flags& used,
   const RawVector<std::uint32_t>& vertex, const Surface& surface, Execution& execution)
 {
   if (!view.knowsEdges)
   {
     return nullptr;
   }
-  std::vector<KnownEdges::Line> sharp(view.sharpEdgeCount);
+  std::vector<FeatureEdgeTags::Line> sharp(view.sharpEdgeCount);
   for (std::size_t i = 0; i < 2 * view.sharpEdgeCount; ++i)
   {
     const std::uint32_t point = view.sharpEdges[i];
     sharp[i / 2][i % 2] =
       point < view.pointCount && used[point] != 0 ? vertex[point] : vertexAt(view, point, surface);
   }
-  return std::make_shared<KnownEdges>(view, surface, std::move(sharp), execution);
+  return std::make_shared<FeatureEdgeTags>(view, surface, std::move(sharp), execution);
 }
 
 Bounds boundsOf(const SurfaceView& view, std::size_t begin, std::size_t end)

@@ -5,7 +5,7 @@
 #include "Base/Execution.h"
 #include "Lattice/Crossing.h"
 #include "Lattice/Vector.h"
-#include "Surface/KnownEdges.h"
+#include "Surface/FeatureEdgeTags.h"
 #include "Surface/Walls.h"
 #include "Surface/Winding.h"
 
@@ -68,7 +68,7 @@ struct Surface
   std::vector<std::uint8_t> ofSheet; // of the first triangles, 1: of a sheet (ThinSheets.h)
   std::vector<std::uint8_t>
     byParity; // of each triangle; 1: no consistent orientation (Winding.h); empty: all 0
-  std::shared_ptr<const KnownEdges> knownEdges; // of the triangles given; null: of none
+  std::shared_ptr<const FeatureEdgeTags> knownEdges; // of the triangles given; null: of none
 
   Corners corners(std::size_t triangle) const
   {

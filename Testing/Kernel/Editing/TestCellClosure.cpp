@@ -26,18 +26,18 @@ std::vector<TestBox> touchingBoxes()
 
 TEST(CellClosure, ACellThatTouchesItselfIsClosedWhereItMayBe)
 {
-  EditMesh mesh = cellOfBoxes(touchingBoxes());
+  MeshEditor mesh = cellOfBoxes(touchingBoxes());
   ASSERT_EQ(countCells(mesh), 1);
   EXPECT_TRUE(touchesItself(mesh, 0));
   EXPECT_FALSE(isClosed(mesh, 0));
   mesh.rawCell(0).touches = true;
-  mesh.rawCell(0).misses = 4;
+  mesh.rawCell(0).eulerDefect = 4;
   EXPECT_TRUE(isClosed(mesh, 0));
 }
 
 TEST(CellClosure, ACellThatStopsTouchingItselfMayNotBegin)
 {
-  EditMesh mesh = meshOfBoxes(touchingBoxes());
+  MeshEditor mesh = meshOfBoxes(touchingBoxes());
   EXPECT_FALSE(touchesItself(mesh, 0));
   mesh.rawCell(0).touches = true;
   lowerMisses(mesh, 0);
@@ -46,9 +46,9 @@ TEST(CellClosure, ACellThatStopsTouchingItselfMayNotBegin)
 
 TEST(CellClosure, AnOpenCellIsNotClosedHoweverItTouchesItself)
 {
-  EditMesh mesh = cellOfBoxes(touchingBoxes());
+  MeshEditor mesh = cellOfBoxes(touchingBoxes());
   mesh.rawCell(0).touches = true;
-  mesh.rawCell(0).misses = 4;
+  mesh.rawCell(0).eulerDefect = 4;
   const std::uint32_t wall = mesh.facesOf(0)[0];
   mesh.removeFace(wall);
   EXPECT_FALSE(isClosed(mesh, 0));

@@ -15,14 +15,14 @@ constexpr double Tolerance = 0.03;
 
 // Cuts, tests the mesh, and returns the number of parts: 0, the mesh as it was, where that is refused.
 std::size_t cut(
-  EditMesh& mesh, std::uint32_t c, const Vector& through, const Vector& normal, CutParts& parts)
+  MeshEditor& mesh, std::uint32_t c, const Vector& through, const Vector& normal, CutParts& parts)
 {
-  const EditMesh before = copyOf(mesh);
+  const MeshEditor before = copyOf(mesh);
   const double volume = volumeOf(mesh, c);
-  const EditMesh::Mark mark = mesh.mark();
+  const MeshEditor::Mark mark = mesh.mark();
   parts.clear();
   if (!cutCell(mesh, c, { through, unit(normal), Tolerance }, parts) ||
-    !settle(mesh, ObjectiveSpec()))
+    !updateAndValidate(mesh, ObjectiveSpec()))
   {
     mesh.undo(mark);
     EXPECT_EQ(differenceOf(mesh, before), "");
@@ -42,14 +42,14 @@ std::size_t cut(
   return parts.size();
 }
 
-std::size_t cut(EditMesh& mesh, std::uint32_t c, const Vector& through, const Vector& normal)
+std::size_t cut(MeshEditor& mesh, std::uint32_t c, const Vector& through, const Vector& normal)
 {
   CutParts parts;
   return cut(mesh, c, through, normal, parts);
 }
 
 // Sorted.
-std::vector<double> volumesOf(const EditMesh& mesh, const CutParts& parts)
+std::vector<double> volumesOf(const MeshEditor& mesh, const CutParts& parts)
 {
   std::vector<double> volumes;
   for (const std::uint32_t part : parts)
@@ -60,7 +60,7 @@ std::vector<double> volumesOf(const EditMesh& mesh, const CutParts& parts)
   return volumes;
 }
 
-void expectVolumes(const EditMesh& mesh, const CutParts& parts, const std::vector<double>& wanted)
+void expectVolumes(const MeshEditor& mesh, const CutParts& parts, const std::vector<double>& wanted)
 {
   const std::vector<double> volumes = volumesOf(mesh, parts);
   ASSERT_EQ(volumes.size(), wanted.size());
@@ -70,13 +70,13 @@ void expectVolumes(const EditMesh& mesh, const CutParts& parts, const std::vecto
   }
 }
 
-EditMesh cube()
+MeshEditor cube()
 {
   return meshOfBoxes(blockOfBoxes(1, 1, 1));
 }
 
 // The corners of the face between two parts.
-std::size_t cornersBetween(const EditMesh& mesh, const CutParts& parts)
+std::size_t cornersBetween(const MeshEditor& mesh, const CutParts& parts)
 {
   return mesh.face(faceBetween(mesh, parts[0], parts[1])).corners.size;
 }
@@ -89,7 +89,7 @@ TEST(CellCut, ThroughTheMiddle)
   {
     for (const double way : { 1.0, -1.0 })
     {
-      EditMesh mesh = cube();
+      MeshEditor mesh = cube();
       CutParts parts;
       Vector normal{};
       normal[axis] = way;
@@ -104,7 +104,7 @@ TEST(CellCut, ThroughTheMiddle)
 
 TEST(CellCut, ThroughEdges)
 {
-  EditMesh mesh = cube();
+  MeshEditor mesh = cube();
   CutParts parts;
   ASSERT_EQ(cut(mesh, 0, { 0.5, 0.5, 0.5 }, { 1, 1, 0 }, parts), 2);
   expectVolumes(mesh, parts, { 0.5, 0.5 });
@@ -113,7 +113,7 @@ TEST(CellCut, ThroughEdges)
 
 TEST(CellCut, ThroughCorners)
 {
-  EditMesh mesh = cube();
+  MeshEditor mesh = cube();
   CutParts parts;
   ASSERT_EQ(
     cut(mesh, 0, { 1, 0, 0 }, { 1, 1, 1 }, parts), 2); // off one corner, through three others
@@ -124,7 +124,7 @@ TEST(CellCut, ThroughCorners)
 
 TEST(CellCut, IntoAHexagon)
 {
-  EditMesh mesh = cube();
+  MeshEditor mesh = cube();
   CutParts parts;
   ASSERT_EQ(cut(mesh, 0, { 0.5, 0.5, 0.5 }, { 1, 1, 1 }, parts), 2);
   EXPECT_EQ(cornersBetween(mesh, parts), 6);
@@ -133,7 +133,7 @@ TEST(CellCut, IntoAHexagon)
 
 TEST(CellCut, AlongAFaceIsRefused)
 {
-  EditMesh mesh = cube();
+  MeshEditor mesh = cube();
   for (const double x : { 0.0, 1.0, 0.02, 0.98, -1.0, 2.0 }) // or beside it, or outside
   {
     EXPECT_EQ(cut(mesh, 0, { x, 0.5, 0.5 }, { 1, 0, 0 }), 0) << x;
@@ -145,7 +145,7 @@ TEST(CellCut, AlongAFaceIsRefused)
 // A plane that passes a node closely goes through it.
 TEST(CellCut, NearNodes)
 {
-  EditMesh mesh = cube();
+  MeshEditor mesh = cube();
   CutParts parts;
   ASSERT_EQ(cut(mesh, 0, { 0.52, 0.51, 0.5 }, { 1, 1.02, 0.01 }, parts), 2);
   EXPECT_EQ(mesh.nodeCount(), 8);
@@ -160,7 +160,7 @@ TEST(CellCut, OfCubesAtRandom)
   int made = 0;
   for (int i = 0; i < 500; ++i)
   {
-    EditMesh mesh = meshOfBoxes(blockOfBoxes(3, 3, 3));
+    MeshEditor mesh = meshOfBoxes(blockOfBoxes(3, 3, 3));
     const Vector through{ 1 + part(random), 1 + part(random), 1 + part(random) };
     const Vector normal{ part(random) - 0.5, part(random) - 0.5, part(random) - 0.5 };
     made += cut(mesh, 13, through, normal) == 2 ? 1 : 0;
@@ -172,7 +172,7 @@ TEST(CellCut, OfCubesAtRandom)
 // Cells beside it have the new nodes, and are closed: `cut` looks at that.
 TEST(CellCut, GivesItsNodesToNeighbours)
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(3, 3, 3));
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(3, 3, 3));
   const std::size_t corners = mesh.cornersOf(faceBetween(mesh, 13, 14)).size();
   CutParts parts;
   ASSERT_EQ(cut(mesh, 13, { 1.5, 1.5, 1.5 }, { 1, 0, 0 }, parts), 2);
@@ -193,7 +193,7 @@ TEST(CellCut, OfAnLHasTwoParts)
 {
   const std::vector<TestBox> boxes{ { { 0, 0, 0 }, { 1, 1, 1 } }, { { 1, 0, 0 }, { 2, 1, 1 } },
     { { 0, 1, 0 }, { 1, 2, 1 } } };
-  EditMesh mesh = cellOfBoxes(boxes);
+  MeshEditor mesh = cellOfBoxes(boxes);
   CutParts parts;
   ASSERT_EQ(cut(mesh, 0, { 1, 1, 0.5 }, { 1, 0, 0 }, parts), 2);
   expectVolumes(mesh, parts, { 1, 2 });
@@ -208,7 +208,7 @@ TEST(CellCut, OfAUHasTwoSections)
   std::vector<TestBox> boxes = blockOfBoxes(3, 1, 1);
   boxes.push_back({ { 0, 1, 0 }, { 1, 2, 1 } });
   boxes.push_back({ { 2, 1, 0 }, { 3, 2, 1 } });
-  EditMesh mesh = cellOfBoxes(boxes);
+  MeshEditor mesh = cellOfBoxes(boxes);
   EXPECT_EQ(faultOf(mesh), "");
   CutParts parts;
   ASSERT_EQ(cut(mesh, 0, { 1.5, 1.5, 0.5 }, { 0, 1, 0 }, parts), 3);
@@ -221,7 +221,7 @@ TEST(CellCut, OfAUAlongItsGround)
   std::vector<TestBox> boxes = blockOfBoxes(3, 1, 1);
   boxes.push_back({ { 0, 1, 0 }, { 1, 2, 1 } });
   boxes.push_back({ { 2, 1, 0 }, { 3, 2, 1 } });
-  EditMesh mesh = cellOfBoxes(boxes);
+  MeshEditor mesh = cellOfBoxes(boxes);
   CutParts parts;
   ASSERT_EQ(cut(mesh, 0, { 1.5, 1, 0.5 }, { 0, 1, 0 }, parts), 3);
   expectVolumes(mesh, parts, { 1, 1, 3 });
@@ -231,7 +231,7 @@ TEST(CellCut, OfADentedCellAlongItsBisector)
 {
   for (const double depth : { 0.125, 0.5, 0.75 })
   {
-    EditMesh mesh = dentedCell(depth);
+    MeshEditor mesh = dentedCell(depth);
     CutParts parts;
     ASSERT_EQ(cut(mesh, 0, { 1, 0.5, 1 - depth }, { 1, 0, 0 }, parts), 2);
     EXPECT_DOUBLE_EQ(mesh.cell(parts[0]).volume, 1 - depth / 2);
@@ -243,7 +243,7 @@ TEST(CellCut, OfADentedCellAlongItsBisector)
 // Around a hole: boxes about one in the middle, which is another cell.
 TEST(CellCut, RefusesASectionWithAHole)
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(3, 3, 3));
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(3, 3, 3));
   bool isAny = true;
   while (isAny)
   {
@@ -268,8 +268,8 @@ TEST(CellCut, HeldNodesStayOnTheirPlanes)
   for (int i = 0; i < 50; ++i)
   {
     TestMeshSpec spec;
-    spec.held = 7;
-    EditMesh mesh = meshOfBoxes(blockOfBoxes(1, 1, 1), spec);
+    spec.constrainedAxes = 7;
+    MeshEditor mesh = meshOfBoxes(blockOfBoxes(1, 1, 1), spec);
     const Vector normal{ part(random), part(random), part(random) };
     cut(mesh, 0, { 0.5, 0.5, 0.5 }, normal);
     for (std::uint32_t n = 8; n < mesh.nodeCount(); ++n)
@@ -278,7 +278,7 @@ TEST(CellCut, HeldNodesStayOnTheirPlanes)
       int held = 0;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        const bool isHeld = (node.held >> axis & 1) != 0;
+        const bool isHeld = (node.constrainedAxes >> axis & 1) != 0;
         held += isHeld ? 1 : 0;
         EXPECT_EQ(isHeld, node.at[axis] == 0 || node.at[axis] == 1);
       }
@@ -291,7 +291,7 @@ TEST(CellCut, HeldNodesStayOnTheirPlanes)
 // On an edge of the wall that is none of its features, a new node may slide along the wall.
 TEST(CellCut, KnowsWhatItsNodesAreOn)
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(2, 2, 2));
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(2, 2, 2));
   CutParts parts;
   ASSERT_EQ(cut(mesh, 0, { 0.5, 0.5, 0.5 }, { 1, 0, 0 }, parts), 2);
   std::array<int, 4> ofKind{};
@@ -300,8 +300,8 @@ TEST(CellCut, KnowsWhatItsNodesAreOn)
     const EditNode& node = mesh.node(n);
     ++ofKind[std::size_t(node.kind)];
     EXPECT_EQ(node.atWall, node.kind != NodeKind::Free);
-    EXPECT_EQ(node.home, node.at);
-    EXPECT_GT(node.leash, 0);
+    EXPECT_EQ(node.referencePosition, node.at);
+    EXPECT_GT(node.maxDisplacement, 0);
   }
   EXPECT_EQ(ofKind, (std::array<int, 4>{ 1, 2, 1, 0 }));
 }

@@ -14,7 +14,7 @@ namespace
 class Collapses
 {
 public:
-  explicit Collapses(EditMesh mesh)
+  explicit Collapses(MeshEditor mesh)
     : mesh_(std::move(mesh))
   {
   }
@@ -31,13 +31,13 @@ public:
   double charge = 0;
 
 private:
-  EditMesh mesh_;
+  MeshEditor mesh_;
 };
 
-EditMesh block(std::uint8_t held = 0)
+MeshEditor block(std::uint8_t held = 0)
 {
   TestMeshSpec spec;
-  spec.held = held;
+  spec.constrainedAxes = held;
   return meshOfBoxes(blockOfBoxes(3, 3, 3), spec);
 }
 
@@ -86,7 +86,7 @@ TEST(MayCollapse, HeldNodesStayOnTheirPlanes)
   EXPECT_TRUE(of.may({ 1, 1, 0 }, { 2, 1, 0 }, { 1.5, 1, 0 }));
   EXPECT_FALSE(of.may({ 1, 1, 0 }, { 2, 1, 0 }, { 1.5, 1, 0.25 }));
   EXPECT_FALSE(of.may({ 1, 1, 1 }, { 1, 1, 0 }, { 1, 1, 0.5 }));
-  of.node({ 1, 0, 0 }).held = 6; // on two planes, then also at the inner end of an edge
+  of.node({ 1, 0, 0 }).constrainedAxes = 6; // on two planes, then also at the inner end of an edge
   EXPECT_FALSE(of.may({ 1, 0, 0 }, { 1, 1, 0 }));
   EXPECT_FALSE(of.may({ 1, 0, 0 }, { 2, 0, 0 }));
 }
@@ -95,7 +95,7 @@ TEST(MayCollapse, HeldNodesStayOnTheirPlanes)
 TEST(MayCollapse, NotFromOnePlaneToTheOther)
 {
   TestMeshSpec spec;
-  spec.held = 4;
+  spec.constrainedAxes = 4;
   Collapses of(meshOfBoxes(blockOfBoxes(3, 3, 1), spec));
   for (const Vector& at : { Vector{ 1, 1, 0 }, Vector{ 1, 1, 1 } }) // as if no wall were there
   {
@@ -109,11 +109,11 @@ TEST(MayCollapse, NotFromOnePlaneToTheOther)
 TEST(MayCollapse, NodesHeldFastStay)
 {
   Collapses of(block());
-  of.node({ 1, 1, 1 }).held = HeldFast;
+  of.node({ 1, 1, 1 }).constrainedAxes = AllAxes;
   EXPECT_FALSE(of.may({ 1, 1, 1 }, { 2, 1, 1 }));
   EXPECT_TRUE(of.may({ 2, 1, 1 }, { 1, 1, 1 }));
   EXPECT_FALSE(of.may({ 2, 1, 1 }, { 1, 1, 1 }, { 1.5, 1, 1 }));
-  of.node({ 2, 1, 1 }).held = HeldFast;
+  of.node({ 2, 1, 1 }).constrainedAxes = AllAxes;
   EXPECT_FALSE(of.may({ 2, 1, 1 }, { 1, 1, 1 }));
 }
 
@@ -134,12 +134,12 @@ TEST(MayCollapse, ChargesForAnEdgeThatMoves)
 
 TEST(MayMove, AlongTheLeashOnly)
 {
-  EditMesh mesh = block();
+  MeshEditor mesh = block();
   const std::uint32_t surface = nodeAt(mesh, { 1, 1, 0 });
-  mesh.rawNode(surface).leash = 0.25F;
+  mesh.rawNode(surface).maxDisplacement = 0.25F;
   EXPECT_TRUE(mayMove(mesh, EditRules(), surface, { 1.25, 1, 0 }));
   EXPECT_FALSE(mayMove(mesh, EditRules(), surface, { 1.26, 1, 0 }));
-  mesh.rawNode(surface).home = { 1.125, 1, 0 };
+  mesh.rawNode(surface).referencePosition = { 1.125, 1, 0 };
   EXPECT_TRUE(mayMove(mesh, EditRules(), surface, { 1.26, 1, 0 }));
   EXPECT_TRUE(mayMove(mesh, EditRules(), nodeAt(mesh, { 1, 1, 1 }), { 1.75, 1, 1 }));
   EXPECT_FALSE(mayMove(mesh, EditRules(), nodeAt(mesh, { 0, 0, 0 }), { 0.01, 0, 0 }));
@@ -147,8 +147,8 @@ TEST(MayMove, AlongTheLeashOnly)
 
 TEST(MayMove, NotAlongWallsThatMustNotChange)
 {
-  EditMesh mesh = block();
-  mesh.rawNode(nodeAt(mesh, { 1, 1, 0 })).leash = 0.25F;
+  MeshEditor mesh = block();
+  mesh.rawNode(nodeAt(mesh, { 1, 1, 0 })).maxDisplacement = 0.25F;
   EditRules rules;
   rules.mayChangeWalls = false;
   EXPECT_FALSE(mayMove(mesh, rules, nodeAt(mesh, { 1, 1, 0 }), { 1.25, 1, 0 }));
@@ -157,18 +157,18 @@ TEST(MayMove, NotAlongWallsThatMustNotChange)
 
 TEST(MayMove, HeldNodesStayOnTheirPlanes)
 {
-  EditMesh mesh = block(4);
+  MeshEditor mesh = block(4);
   const std::uint32_t n = nodeAt(mesh, { 1, 1, 0 });
   EXPECT_TRUE(mayMove(mesh, EditRules(), n, { 1.125, 1, 0 }));
   EXPECT_FALSE(mayMove(mesh, EditRules(), n, { 1.125, 1, 0.01 }));
   const std::uint32_t inside = nodeAt(mesh, { 1, 1, 1 });
-  mesh.rawNode(inside).held = HeldFast;
+  mesh.rawNode(inside).constrainedAxes = AllAxes;
   EXPECT_FALSE(mayMove(mesh, EditRules(), inside, { 1.125, 1, 1 }));
 }
 
 TEST(MayMerge, AsTheSmallerCellIsSmall)
 {
-  const EditMesh mesh = block(); // of whole boxes
+  const MeshEditor mesh = block(); // of whole boxes
   EditRules rules;
   EXPECT_TRUE(mayMerge(mesh, rules, 0, 1));
   rules.mostMerged = 1.5;
@@ -182,7 +182,7 @@ TEST(MayJoin, ChargesForSharpEdges)
   EditRules rules;
   for (const double depth : { 0.0, 0.125, 0.5 }) // turns of 0, 14 and 53 degrees
   {
-    EditMesh mesh = dentedCell(depth);
+    MeshEditor mesh = dentedCell(depth);
     std::vector<std::uint32_t> upper;
     for (const std::uint32_t f : mesh.facesOf(0))
     {
@@ -198,7 +198,7 @@ TEST(MayJoin, ChargesForSharpEdges)
   }
 }
 
-std::array<std::uint32_t, 2> upperWalls(const EditMesh& mesh)
+std::array<std::uint32_t, 2> upperWalls(const MeshEditor& mesh)
 {
   std::array<std::uint32_t, 2> upper{ None, None };
   for (const std::uint32_t f : mesh.facesOf(0))
@@ -219,13 +219,13 @@ TEST(MayJoin, ChargesForKnownEdges)
     for (const bool isOnEdge : { false, true })
     {
       const double depth = 0.03125; // a turn of 4 degrees
-      EditMesh mesh = dentedCell(depth);
+      MeshEditor mesh = dentedCell(depth);
       for (const double y : { 0.0, 1.0 })
       {
         mesh.rawNode(nodeAt(mesh, { 1, y, 1 - depth })).kind =
           isOnEdge ? NodeKind::OnEdge : NodeKind::OnSurface;
       }
-      mesh.store().sharp = SharpRule(180, isKnown);
+      mesh.mesh().sharp = SharpRule(180, isKnown);
       double charge = 0;
       const auto [f, g] = upperWalls(mesh);
       EXPECT_TRUE(mayJoin(mesh, EditRules(), f, g, charge));
@@ -241,8 +241,8 @@ TEST(MayJoin, ChargesByTheFeatureAngle)
   {
     for (const double depth : { 0.125, 0.5 })
     {
-      EditMesh mesh = dentedCell(depth);
-      mesh.store().sharp = SharpRule(featureAngle);
+      MeshEditor mesh = dentedCell(depth);
+      mesh.mesh().sharp = SharpRule(featureAngle);
       double charge = 0;
       const auto [f, g] = upperWalls(mesh);
       EXPECT_TRUE(mayJoin(mesh, EditRules(), f, g, charge));
@@ -260,12 +260,12 @@ TEST(MayCollapse, ChargesForAKnownEdgeThatMoves)
   const Vector ridge{ 1, 1, 3.03125 };
   for (const bool isKnown : { false, true })
   {
-    EditMesh mesh = meshOfBoxes(blockOfBoxes(3, 3, 3), spec);
+    MeshEditor mesh = meshOfBoxes(blockOfBoxes(3, 3, 3), spec);
     for (const double y : { 0.0, 1.0, 2.0, 3.0 })
     {
       mesh.rawNode(nodeAt(mesh, { 1, y, 3.03125 })).kind = NodeKind::OnEdge;
     }
-    mesh.store().sharp = SharpRule(30, isKnown);
+    mesh.mesh().sharp = SharpRule(30, isKnown);
     double charge = 0;
     const bool may = mayCollapse(
       mesh, EditRules(), nodeAt(mesh, ridge), nodeAt(mesh, { 2, 1, 3 }), { 2, 1, 3 }, charge);
@@ -280,28 +280,28 @@ TEST(MayCollapse, ChargesForAKnownEdgeThatMoves)
 // What gains is decided by the objective; not what fails, nor a wall that moves far.
 TEST(Decide, ByTheGain)
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(3, 3, 3), { [](const Vector& p) {
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(3, 3, 3), { [](const Vector& p) {
     return p == Vector{ 1, 1, 1 } ? Vector{ 1.25, 1.25, 1.25 } : p;
   } });
   const EditRules rules;
-  const EditMesh::Mark mark = mesh.mark();
+  const MeshEditor::Mark mark = mesh.mark();
   mesh.moveNode(nodeAt(mesh, { 1.25, 1.25, 1.25 }), { 1, 1, 1 });
-  ASSERT_TRUE(settle(mesh, rules.spec));
+  ASSERT_TRUE(updateAndValidate(mesh, rules.spec));
   const double gain = decide(mesh, rules, mark, 1, 0);
-  EXPECT_DOUBLE_EQ(gain, -mesh.ledger.cost);
+  EXPECT_DOUBLE_EQ(gain, -mesh.delta.cost);
   EXPECT_GT(gain, 0);
   EXPECT_EQ(decide(mesh, rules, mark, 1, 2 * gain), -std::numeric_limits<double>::infinity());
 }
 
 TEST(Decide, RefusesWhatFails)
 {
-  EditMesh mesh = block();
+  MeshEditor mesh = block();
   const EditRules rules;
-  const EditMesh::Mark mark = mesh.mark();
+  const MeshEditor::Mark mark = mesh.mark();
   mesh.moveNode(nodeAt(mesh, { 1, 1, 1 }), { 2.5, 2.5, 1.5 });
-  if (settle(mesh, rules.spec))
+  if (updateAndValidate(mesh, rules.spec))
   {
-    EXPECT_GT(mesh.ledger.failures, 0);
+    EXPECT_GT(mesh.delta.failures, 0);
     EXPECT_EQ(decide(mesh, rules, mark, 1, -1e9), -std::numeric_limits<double>::infinity());
   }
 }
@@ -310,13 +310,13 @@ TEST(Decide, RefusesWallsThatMoveFar)
 {
   for (const double height : { 0.0625, 0.375 })
   {
-    EditMesh mesh = block();
+    MeshEditor mesh = block();
     const EditRules rules;
-    const EditMesh::Mark mark = mesh.mark();
+    const MeshEditor::Mark mark = mesh.mark();
     mesh.moveNode(nodeAt(mesh, { 1, 1, 0 }), { 1, 1, -height });
-    ASSERT_TRUE(settle(mesh, rules.spec));
-    EXPECT_NEAR(mesh.ledger.volume, 4 * height / 4, 1e-12); // fans about the means of corners
-    EXPECT_EQ(mesh.ledger.failures, 0);
+    ASSERT_TRUE(updateAndValidate(mesh, rules.spec));
+    EXPECT_NEAR(mesh.delta.volume, 4 * height / 4, 1e-12); // fans about the means of corners
+    EXPECT_EQ(mesh.delta.failures, 0);
     EXPECT_EQ(decide(mesh, rules, mark, 1, -1e9) > -1e9, height < rules.spec.mostMoved);
   }
 }
@@ -324,14 +324,14 @@ TEST(Decide, RefusesWallsThatMoveFar)
 // A trial ends where it cannot gain enough; what remains is undone.
 TEST(Settle, StopsWhereItGainsTooLittle)
 {
-  EditMesh mesh = block();
-  const EditMesh before = copyOf(mesh);
+  MeshEditor mesh = block();
+  const MeshEditor before = copyOf(mesh);
   for (const double gain : { -0.01, -100.0 })
   {
-    const EditMesh::Mark mark = mesh.mark();
+    const MeshEditor::Mark mark = mesh.mark();
     mesh.moveNode(nodeAt(mesh, { 1, 1, 1 }), { 1.5, 1.5, 1.5 });
-    EXPECT_EQ(settle(mesh, ObjectiveSpec(), { gain, 1 }), gain < -1);
-    EXPECT_EQ(mesh.unsettled.faces.size(), 0);
+    EXPECT_EQ(updateAndValidate(mesh, ObjectiveSpec(), { gain, 1 }), gain < -1);
+    EXPECT_EQ(mesh.dirty.faces.size(), 0);
     mesh.undo(mark);
     EXPECT_EQ(differenceOf(mesh, before), "");
   }

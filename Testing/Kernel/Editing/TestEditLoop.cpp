@@ -13,13 +13,13 @@ namespace
 {
 
 // Of 4 x 4 x 3 boxes with nodes moved by up to `moved`: those of walls along them; corners stay.
-EditMesh movedBlock(unsigned seed, double moved, std::uint8_t held = 0, const Vector& from = {},
+MeshEditor movedBlock(unsigned seed, double moved, std::uint8_t held = 0, const Vector& from = {},
   bool isMirrored = false)
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> by(-moved, moved);
   TestMeshSpec spec;
-  spec.held = held;
+  spec.constrainedAxes = held;
   constexpr std::array<double, 3> Size{ 4, 4, 3 };
   std::map<Vector, Vector> places;
   for (int i = 0; i < 100; ++i)
@@ -43,7 +43,7 @@ struct Failures
   int failing = 0;
   int straining = 0;
 
-  explicit Failures(const EditMesh& mesh)
+  explicit Failures(const MeshEditor& mesh)
   {
     for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
     {
@@ -54,7 +54,7 @@ struct Failures
 };
 
 // All corners of walls are in the planes of these: none of them moved off the surface.
-void expectFlatWalls(const EditMesh& mesh)
+void expectFlatWalls(const MeshEditor& mesh)
 {
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
   {
@@ -72,9 +72,9 @@ void expectFlatWalls(const EditMesh& mesh)
   }
 }
 
-using Step = void (*)(EditMesh&);
+using Step = void (*)(MeshEditor&);
 
-constexpr std::array<Step, 2> Steps{ [](EditMesh& mesh) { runLoop(mesh, LoopSpec()); },
+constexpr std::array<Step, 2> Steps{ [](MeshEditor& mesh) { runLoop(mesh, LoopSpec()); },
   improveWhole };
 
 }
@@ -83,7 +83,7 @@ TEST(EditLoop, LowersCosts)
 {
   for (unsigned seed = 0; seed < repeats(10); ++seed)
   {
-    EditMesh mesh = movedBlock(seed, 0.4);
+    MeshEditor mesh = movedBlock(seed, 0.4);
     const double cost = sumOfCosts(mesh);
     const Failures before(mesh);
     runLoop(mesh, LoopSpec());
@@ -91,7 +91,7 @@ TEST(EditLoop, LowersCosts)
     EXPECT_LT(sumOfCosts(mesh), 0.9 * cost);
     const Failures after(mesh);
     EXPECT_LE(after.failing, before.failing);
-    EditMesh fresh = copyOf(mesh);
+    MeshEditor fresh = copyOf(mesh);
     measureAgain(fresh);
     EXPECT_NEAR(sumOfCosts(fresh), sumOfCosts(mesh), 1e-9 * cost); // what the loop knows is true
   }
@@ -103,7 +103,7 @@ TEST(EditLoop, LeavesNoFaultOfMeshesAtRandom)
   int count = 0;
   for (unsigned i = 0; i < repeats(60); ++i)
   {
-    EditMesh mesh = randomMesh(random, 0.35);
+    MeshEditor mesh = randomMesh(random, 0.35);
     if (!faultOf(mesh).empty())
     {
       continue;
@@ -124,9 +124,9 @@ TEST(EditLoop, KnowsWhetherACellThatItRemovedFailed)
 {
   for (const bool fails : { false, true })
   {
-    EditMesh mesh = meshOfBoxes(blockOfBoxes(3, 1, 1));
+    MeshEditor mesh = meshOfBoxes(blockOfBoxes(3, 1, 1));
     mesh.rawFace(faceBetween(mesh, 1, 2)).fails = fails ? 1 : 0;
-    const EditMesh::Mark mark = mesh.mark();
+    const MeshEditor::Mark mark = mesh.mark();
     EXPECT_FALSE(wasRefused(mesh, 2)); // it is still there
     ASSERT_TRUE(removeCell(mesh, 2));
     EXPECT_EQ(wasRefused(mesh, 2), fails);
@@ -136,8 +136,8 @@ TEST(EditLoop, KnowsWhetherACellThatItRemovedFailed)
 
 TEST(EditLoop, LeavesCubesAlone)
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(3, 3, 3));
-  const EditMesh before = copyOf(mesh);
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(3, 3, 3));
+  const MeshEditor before = copyOf(mesh);
   runLoop(mesh, LoopSpec());
   EXPECT_EQ(differenceOf(mesh, before), "");
 }
@@ -148,7 +148,7 @@ TEST(EditLoop, NodesStayOnTheSurface)
   {
     for (unsigned seed = 0; seed < repeats(6); ++seed)
     {
-      EditMesh mesh = movedBlock(seed, 0.4);
+      MeshEditor mesh = movedBlock(seed, 0.4);
       step(mesh);
       EXPECT_EQ(faultOf(mesh), "");
       expectFlatWalls(mesh);
@@ -164,15 +164,15 @@ TEST(EditLoop, HeldNodesStayOnTheirPlanes)
   {
     for (unsigned seed = 0; seed < repeats(6); ++seed)
     {
-      EditMesh mesh = movedBlock(seed, 0.4, 7);
-      const EditMesh before = copyOf(mesh);
+      MeshEditor mesh = movedBlock(seed, 0.4, 7);
+      const MeshEditor before = copyOf(mesh);
       step(mesh);
       EXPECT_EQ(faultOf(mesh), "");
       for (std::uint32_t n = 0; n < before.nodeCount(); ++n)
       {
         for (std::size_t axis = 0; axis < 3 && !mesh.node(n).gone; ++axis)
         {
-          if ((before.node(n).held >> axis & 1) != 0)
+          if ((before.node(n).constrainedAxes >> axis & 1) != 0)
           {
             EXPECT_EQ(mesh.node(n).at[axis], before.node(n).at[axis]);
           }
@@ -196,8 +196,8 @@ TEST(EditLoop, RepeatsItself)
 {
   for (const Step step : Steps)
   {
-    EditMesh first = movedBlock(1, 0.45);
-    EditMesh second = copyOf(first);
+    MeshEditor first = movedBlock(1, 0.45);
+    MeshEditor second = copyOf(first);
     step(first);
     step(second);
     EXPECT_EQ(differenceOf(first, second), "");
@@ -209,8 +209,8 @@ TEST(EditLoop, HasNoUnit)
 {
   for (const Step step : Steps)
   {
-    EditMesh mesh = movedBlock(1, 0.45);
-    EditMesh large = copyOf(mesh);
+    MeshEditor mesh = movedBlock(1, 0.45);
+    MeshEditor large = copyOf(mesh);
     scaleBy(large, 8);
     step(mesh);
     step(large);
@@ -233,8 +233,8 @@ TEST(EditLoop, HasNoPlace)
   const Vector from{ 8, 16, -32 };
   for (unsigned seed = 0; seed < repeats(4); ++seed)
   {
-    EditMesh mesh = movedBlock(seed, 0.45);
-    EditMesh other = movedBlock(seed, 0.45, 0, from);
+    MeshEditor mesh = movedBlock(seed, 0.45);
+    MeshEditor other = movedBlock(seed, 0.45, 0, from);
     improveWhole(mesh);
     improveWhole(other);
     EXPECT_NEAR(sumOfCosts(mesh), sumOfCosts(other), 1e-9);
@@ -254,8 +254,8 @@ TEST(EditLoop, HasNoHand)
   int same = 0;
   for (unsigned seed = 0; seed < 8; ++seed)
   {
-    EditMesh mesh = movedBlock(seed, 0.45);
-    EditMesh mirrored = movedBlock(seed, 0.45, 0, {}, true);
+    MeshEditor mesh = movedBlock(seed, 0.45);
+    MeshEditor mirrored = movedBlock(seed, 0.45, 0, {}, true);
     const double before = sumOfCosts(mesh);
     EXPECT_NEAR(sumOfCosts(mirrored), before, 1e-9);
     improveWhole(mesh);

@@ -17,9 +17,10 @@ namespace
 using Numbers = std::vector<std::uint32_t>;
 
 // One cell of tetrahedra: three corners, and an apex.
-EditMesh cellOfTetrahedra(std::uint32_t nodes, const std::vector<std::array<std::uint32_t, 4>>& all)
+MeshEditor cellOfTetrahedra(
+  std::uint32_t nodes, const std::vector<std::array<std::uint32_t, 4>>& all)
 {
-  EditMesh mesh;
+  MeshEditor mesh;
   for (std::uint32_t n = 0; n < nodes; ++n)
   {
     mesh.addNode({});
@@ -41,9 +42,9 @@ EditMesh cellOfTetrahedra(std::uint32_t nodes, const std::vector<std::array<std:
 
 }
 
-TEST(EditMesh, ListsWhatIsThere)
+TEST(MeshEditor, ListsWhatIsThere)
 {
-  const EditMesh mesh = meshOfBoxes(blockOfBoxes(2, 3, 4));
+  const MeshEditor mesh = meshOfBoxes(blockOfBoxes(2, 3, 4));
   EXPECT_EQ(mesh.nodeCount(), 60);
   EXPECT_EQ(mesh.cellCount(), 24);
   EXPECT_EQ(mesh.faceCount(), 3 * 24 + 12 + 8 + 6);
@@ -59,14 +60,14 @@ TEST(EditMesh, ListsWhatIsThere)
   EXPECT_EQ(mesh.node(nodeAt(mesh, { 2, 0, 0 })).kind, NodeKind::Corner);
 }
 
-TEST(EditMesh, HasAnyOfTheseCells)
+TEST(MeshEditor, HasAnyOfTheseCells)
 {
-  const EditMesh hanging = meshOfBoxes(hangingBoxes());
+  const MeshEditor hanging = meshOfBoxes(hangingBoxes());
   EXPECT_EQ(faultOf(hanging), "");
   EXPECT_EQ(hanging.facesOf(0).size(), 9);
   EXPECT_EQ(hanging.face(wallOf(hanging, 0, 3)).corners.size, 5); // with the node that hangs
   EXPECT_EQ(volumeOf(hanging), 12);
-  const EditMesh ring = meshOfBoxes(ringOfBoxes());
+  const MeshEditor ring = meshOfBoxes(ringOfBoxes());
   EXPECT_EQ(faultOf(ring), "");
   EXPECT_DOUBLE_EQ(volumeBehindWalls(ring), 10);
   EXPECT_EQ(faultOf(wedge()), "");
@@ -76,24 +77,24 @@ TEST(EditMesh, HasAnyOfTheseCells)
   EXPECT_EQ(volumeOf(dentedCell(0.5)), 1.5);
   std::vector<TestBox> regions = blockOfBoxes(2, 1, 1);
   regions[1].region = 1;
-  const EditMesh two = meshOfBoxes(regions);
+  const MeshEditor two = meshOfBoxes(regions);
   EXPECT_EQ(faultOf(two), "");
   EXPECT_EQ(two.face(faceBetween(two, 0, 1)).wall, 6);
 }
 
-TEST(EditMesh, MarksNest)
+TEST(MeshEditor, MarksNest)
 {
-  const EditMesh first = meshOfBoxes(blockOfBoxes(2, 2, 2));
-  EditMesh mesh = copyOf(first);
-  const EditMesh::Mark outer = mesh.mark();
-  ASSERT_TRUE(mergeCells(mesh, 0, 1) && settle(mesh, ObjectiveSpec()));
-  const EditMesh merged = copyOf(mesh);
-  const EditMesh::Mark inner = mesh.mark();
+  const MeshEditor first = meshOfBoxes(blockOfBoxes(2, 2, 2));
+  MeshEditor mesh = copyOf(first);
+  const MeshEditor::Mark outer = mesh.mark();
+  ASSERT_TRUE(mergeCells(mesh, 0, 1) && updateAndValidate(mesh, ObjectiveSpec()));
+  const MeshEditor merged = copyOf(mesh);
+  const MeshEditor::Mark inner = mesh.mark();
   mesh.moveNode(nodeAt(mesh, { 1, 1, 1 }), { 1.25, 1, 1 });
-  ASSERT_TRUE(settle(mesh, ObjectiveSpec()));
-  const EditMesh moved = copyOf(mesh);
-  const EditMesh::Mark innermost = mesh.mark();
-  ASSERT_TRUE(mergeCells(mesh, 2, 3) && settle(mesh, ObjectiveSpec()));
+  ASSERT_TRUE(updateAndValidate(mesh, ObjectiveSpec()));
+  const MeshEditor moved = copyOf(mesh);
+  const MeshEditor::Mark innermost = mesh.mark();
+  ASSERT_TRUE(mergeCells(mesh, 2, 3) && updateAndValidate(mesh, ObjectiveSpec()));
   mesh.undo(innermost);
   EXPECT_EQ(differenceOf(mesh, moved), "");
   mesh.undo(inner);
@@ -102,19 +103,19 @@ TEST(EditMesh, MarksNest)
   EXPECT_EQ(differenceOf(mesh, first), "");
 }
 
-TEST(EditMesh, WhatIsKeptIsUndoneWithTheOuterMark)
+TEST(MeshEditor, WhatIsKeptIsUndoneWithTheOuterMark)
 {
-  const EditMesh first = meshOfBoxes(blockOfBoxes(3, 2, 2));
-  EditMesh mesh = copyOf(first);
-  const EditMesh::Mark outer = mesh.mark();
+  const MeshEditor first = meshOfBoxes(blockOfBoxes(3, 2, 2));
+  MeshEditor mesh = copyOf(first);
+  const MeshEditor::Mark outer = mesh.mark();
   for (const std::uint32_t c : { 0U, 4U, 8U })
   {
-    const EditMesh::Mark inner = mesh.mark();
-    ASSERT_TRUE(mergeCells(mesh, c, c + 1) && settle(mesh, ObjectiveSpec()));
+    const MeshEditor::Mark inner = mesh.mark();
+    ASSERT_TRUE(mergeCells(mesh, c, c + 1) && updateAndValidate(mesh, ObjectiveSpec()));
     mesh.keep(inner);
     mesh.moveNode(nodeAt(mesh, { 1, 1, 1 }), { 1.25, 1, 1 }); // between the marks
     mesh.moveNode(nodeAt(mesh, { 1.25, 1, 1 }), { 1, 1, 1 });
-    ASSERT_TRUE(settle(mesh, ObjectiveSpec()));
+    ASSERT_TRUE(updateAndValidate(mesh, ObjectiveSpec()));
   }
   EXPECT_EQ(countCells(mesh), 9);
   EXPECT_EQ(faultOf(mesh), "");
@@ -122,42 +123,42 @@ TEST(EditMesh, WhatIsKeptIsUndoneWithTheOuterMark)
   EXPECT_EQ(differenceOf(mesh, first), "");
 }
 
-TEST(EditMesh, RecordsWhatWasAtTheMark)
+TEST(MeshEditor, RecordsWhatWasAtTheMark)
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(2, 1, 1));
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(2, 1, 1));
   mesh.mark();
   const std::uint32_t n = nodeAt(mesh, { 1, 1, 1 });
   mesh.moveNode(n, { 1, 1, 1.5 });
   mesh.moveNode(n, { 1, 1, 1.25 });
-  ASSERT_TRUE(settle(mesh, ObjectiveSpec()));
+  ASSERT_TRUE(updateAndValidate(mesh, ObjectiveSpec()));
   ASSERT_EQ(mesh.nodeRecords().size(), 1);
   EXPECT_EQ(mesh.nodeRecords()[0].first, n);
   EXPECT_EQ(mesh.nodeRecords()[0].second.at[2], 1);
   EXPECT_EQ(mesh.cellRecords().size(), 2);
   mesh.commit();
   EXPECT_TRUE(mesh.nodeRecords().empty() && mesh.faceRecords().empty());
-  EXPECT_EQ(mesh.ledger.cost, 0);
+  EXPECT_EQ(mesh.delta.cost, 0);
   EXPECT_EQ(mesh.node(n).at[2], 1.25);
 }
 
 // Any depth of marks, any order of undoing and keeping: each undo gives back what was at its mark.
-TEST(EditMesh, UndoesRandomEditsInAnyNest)
+TEST(MeshEditor, UndoesRandomEditsInAnyNest)
 {
   std::mt19937 random(3);
   for (int run = 0; run < 40; ++run)
   {
-    EditMesh mesh = randomMesh(random, 0.2);
-    std::vector<std::pair<EditMesh::Mark, EditMesh>> marks;
+    MeshEditor mesh = randomMesh(random, 0.2);
+    std::vector<std::pair<MeshEditor::Mark, MeshEditor>> marks;
     for (int i = 0; i < 60 && countCells(mesh) > 1; ++i)
     {
       if (marks.size() < 5)
       {
-        EditMesh now = copyOf(mesh);
+        MeshEditor now = copyOf(mesh);
         marks.emplace_back(mesh.mark(), std::move(now));
       }
       const bool isValid =
         RandomEdits(mesh, random).make(static_cast<int>(random() % RandomEdits::Kinds)) &&
-        settle(mesh, ObjectiveSpec());
+        updateAndValidate(mesh, ObjectiveSpec());
       if (!isValid || random() % 2 == 0)
       {
         mesh.undo(marks.back().first);
@@ -180,11 +181,11 @@ TEST(EditMesh, UndoesRandomEditsInAnyNest)
 
 TEST(CellClosure, IsThatOfOneShell)
 {
-  EditMesh one = cellOfTetrahedra(4, { { 0, 1, 2, 3 } });
+  MeshEditor one = cellOfTetrahedra(4, { { 0, 1, 2, 3 } });
   EXPECT_TRUE(isClosed(one, 0));
-  EditMesh box = meshOfBoxes(blockOfBoxes(1, 1, 1));
+  MeshEditor box = meshOfBoxes(blockOfBoxes(1, 1, 1));
   EXPECT_TRUE(isClosed(box, 0));
-  EditMesh open = copyOf(box);
+  MeshEditor open = copyOf(box);
   open.removeFace(0);
   EXPECT_FALSE(isClosed(open, 0));
 }
@@ -192,11 +193,11 @@ TEST(CellClosure, IsThatOfOneShell)
 // Euler's formula holds for all of these.
 TEST(CellClosure, IsNoMatterOfNumbersAlone)
 {
-  EditMesh touchingInAnEdge = cellOfTetrahedra(6, { { 0, 1, 2, 3 }, { 1, 0, 4, 5 } });
+  MeshEditor touchingInAnEdge = cellOfTetrahedra(6, { { 0, 1, 2, 3 }, { 1, 0, 4, 5 } });
   EXPECT_FALSE(isClosed(touchingInAnEdge, 0));
-  EditMesh touchingInTwoNodes = cellOfTetrahedra(6, { { 0, 1, 2, 3 }, { 0, 4, 5, 3 } });
+  MeshEditor touchingInTwoNodes = cellOfTetrahedra(6, { { 0, 1, 2, 3 }, { 0, 4, 5, 3 } });
   EXPECT_FALSE(isClosed(touchingInTwoNodes, 0));
-  EditMesh turned = meshOfBoxes(blockOfBoxes(1, 1, 1));
+  MeshEditor turned = meshOfBoxes(blockOfBoxes(1, 1, 1));
   const Items ring = turned.cornersOf(0);
   const Numbers reversed(
     std::make_reverse_iterator(ring.end()), std::make_reverse_iterator(ring.begin()));
@@ -206,7 +207,7 @@ TEST(CellClosure, IsNoMatterOfNumbersAlone)
 
 TEST(CellClosure, IsNotThatOfARing)
 {
-  EditMesh ring = meshOfBoxes(ringOfBoxes());
+  MeshEditor ring = meshOfBoxes(ringOfBoxes());
   for (std::uint32_t c = 1; c < 9; ++c)
   {
     ASSERT_TRUE(mergeCells(ring, 0, c));
@@ -215,30 +216,30 @@ TEST(CellClosure, IsNotThatOfARing)
   ring.commit();
   ASSERT_TRUE(mergeCells(ring, 0, 9));
   EXPECT_FALSE(isClosed(ring, 0));
-  EXPECT_FALSE(settle(ring, ObjectiveSpec()));
+  EXPECT_FALSE(updateAndValidate(ring, ObjectiveSpec()));
 }
 
 // A cell that was a ring before may stay one. Cut across, it is none, and may not become one again.
 TEST(CellClosure, IsThatOfARingThatWasOne)
 {
-  EditMesh ring = meshOfBoxes(ringOfBoxes());
+  MeshEditor ring = meshOfBoxes(ringOfBoxes());
   for (std::uint32_t c = 1; c < 10; ++c)
   {
     ASSERT_TRUE(mergeCells(ring, 0, c));
   }
   ring.commit();
   Execution execution(1);
-  noteMisses(ring.store(), execution);
-  EXPECT_EQ(ring.cell(0).misses, 2);
+  noteEulerDefects(ring.mesh(), execution);
+  EXPECT_EQ(ring.cell(0).eulerDefect, 2);
   EXPECT_TRUE(isClosed(ring, 0));
-  measureAll(ring.store(), execution);
+  measureAll(ring.mesh(), execution);
   CutParts parts;
   const Vector centre = ring.cell(0).centre;
   ASSERT_TRUE(cutCell(ring, 0, { centre, { 1, 0, 0 }, 0.01 }, parts));
-  ASSERT_TRUE(settle(ring, ObjectiveSpec()));
+  ASSERT_TRUE(updateAndValidate(ring, ObjectiveSpec()));
   for (const std::uint32_t part : parts)
   {
-    EXPECT_EQ(ring.cell(part).misses, 0);
+    EXPECT_EQ(ring.cell(part).eulerDefect, 0);
     EXPECT_TRUE(isClosed(ring, part));
   }
 }

@@ -76,22 +76,22 @@ std::set<std::uint32_t> nodesOf(const ZoneTask& task)
 TEST_P(EditZonesOf, EachCellOnceAndZonesShareNoNode)
 {
   EditableWall wall = openedOf(GetParam());
-  EditStore& store = wall.mesh.store();
-  std::vector<int> looked(store.cells.size());
+  EditMesh& whole = wall.mesh.mesh();
+  std::vector<int> looked(whole.cells.size());
   std::map<std::ptrdiff_t, std::vector<std::set<std::uint32_t>>> rounds; // by cells that are over
   Execution execution;
-  editInZones(store, execution, [&](const ZoneTask& task) {
+  editInZones(whole, execution, [&](const ZoneTask& task) {
     for (const std::uint32_t c : task.cells)
     {
       EXPECT_TRUE(task.mesh.isFree(c));
       ++looked[c];
     }
-    rounds[std::count(task.isOver.begin(), task.isOver.end(), 1)].push_back(nodesOf(task));
+    rounds[std::count(task.isDone.begin(), task.isDone.end(), 1)].push_back(nodesOf(task));
   });
   for (std::size_t c = 0; c < looked.size(); ++c)
   {
-    ASSERT_EQ(looked[c], store.cells[c].state == CellState::Free ? 1 : 0);
-    ASSERT_EQ(store.cells[c].zone, 0U);
+    ASSERT_EQ(looked[c], whole.cells[c].state == CellState::Free ? 1 : 0);
+    ASSERT_EQ(whole.cells[c].zone, 0U);
   }
   EXPECT_GE(rounds.begin()->second.size(), 3U);
   for (const auto& round : rounds)
@@ -108,7 +108,7 @@ TEST_P(EditZonesOf, EachCellOnceAndZonesShareNoNode)
 }
 
 // Numbers that do not fit are an error, not another list.
-TEST(EditStore, ListsThatDoNotFitAreRefused)
+TEST(EditMesh, ListsThatDoNotFitAreRefused)
 {
   EXPECT_EQ(listAt(7, 65535, 3).size, 65535);
   EXPECT_THROW(listAt(7, 65536, 3), Error);

@@ -121,7 +121,7 @@ class EditableWallOf : public ::testing::TestWithParam<Case>
 };
 
 // Each edge once in both directions.
-bool isClosed(const EditMesh& mesh, std::uint32_t c)
+bool isClosed(const MeshEditor& mesh, std::uint32_t c)
 {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const std::uint32_t f : mesh.facesOf(c))
@@ -146,7 +146,7 @@ bool isClosed(const EditMesh& mesh, std::uint32_t c)
 // Of two cells each; returns how many are gone.
 std::size_t mergeSome(EditableWall& edited)
 {
-  EditMesh& mesh = edited.mesh;
+  MeshEditor& mesh = edited.mesh;
   std::mt19937 random(1);
   std::size_t merged = 0;
   const auto isSimple = [&](std::uint32_t c) {
@@ -160,7 +160,7 @@ std::size_t mergeSome(EditableWall& edited)
     {
       continue;
     }
-    const EditMesh::Mark mark = mesh.mark();
+    const MeshEditor::Mark mark = mesh.mark();
     if (mergeCells(mesh, face.below, face.above) && isClosed(mesh, face.below))
     {
       mesh.commit();
@@ -175,17 +175,17 @@ std::size_t mergeSome(EditableWall& edited)
 }
 
 // Nodes inside, and in sides, but not of small cells.
-void moveSome(EditMesh& mesh)
+void moveSome(MeshEditor& mesh)
 {
   constexpr double Little = 0.01;
   std::mt19937 random(1);
   const auto isLarge = [&](std::uint32_t c) {
-    return c == None || mesh.cell(c).volume > 0.99 * mesh.cell(c).box;
+    return c == None || mesh.cell(c).volume > 0.99 * mesh.cell(c).boxVolume;
   };
   for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
   {
     const EditNode& node = mesh.node(n);
-    const bool isInSide = node.held != 0 && node.kind == NodeKind::OnSurface;
+    const bool isInSide = node.constrainedAxes != 0 && node.kind == NodeKind::OnSurface;
     const Items faces = mesh.facesAround(n);
     if (!node.gone && random() % 4 == 0 && (isInSide || !node.atWall) &&
       std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
@@ -195,9 +195,9 @@ void moveSome(EditMesh& mesh)
       Vector to = node.at;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        to[axis] += (node.held >> axis & 1) != 0 ? 0 : Little;
+        to[axis] += (node.constrainedAxes >> axis & 1) != 0 ? 0 : Little;
       }
-      mesh.moveNode(n, onLattice(mesh, to, node.held));
+      mesh.moveNode(n, onLattice(mesh, to, node.constrainedAxes));
     }
   }
   mesh.commit();
@@ -228,7 +228,7 @@ TEST_P(EditableWallOf, CellsAreClosed)
 {
   const auto a = assembledOf(GetParam());
   const EditableWall edited = opened(*a);
-  const EditMesh& mesh = edited.mesh;
+  const MeshEditor& mesh = edited.mesh;
   ASSERT_GT(edited.opened.cells, 0u);
   double sum = 0;
   for (std::uint32_t c = 0; c < edited.opened.cells; ++c)
@@ -236,7 +236,7 @@ TEST_P(EditableWallOf, CellsAreClosed)
     EXPECT_EQ(isClosed(mesh, c), mesh.isFree(c)) << c;
     sum += mesh.cell(c).volume;
     const CellKey key = mesh.cell(c).number;
-    EXPECT_NEAR(mesh.cell(c).volume / mesh.cell(c).box,
+    EXPECT_NEAR(mesh.cell(c).volume / mesh.cell(c).boxVolume,
       isHexahedron(key) ? 1 : a->wall.cells[key].volumeFraction, 1e-9);
   }
   EXPECT_GT(sum, 0);
@@ -326,16 +326,16 @@ TEST_P(EditableWallOf, NodesAreHeld)
 {
   const auto a = assembledOf(GetParam());
   const EditableWall edited = opened(*a);
-  const EditMesh& mesh = edited.mesh;
+  const MeshEditor& mesh = edited.mesh;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
   {
     const EditFace& face = mesh.face(f);
     for (const std::uint32_t n : mesh.cornersOf(f))
     {
-      const std::uint8_t held = mesh.node(n).held;
+      const std::uint8_t held = mesh.node(n).constrainedAxes;
       if (face.above != None && mesh.isGhost(face.above))
       {
-        EXPECT_EQ(held, HeldFast);
+        EXPECT_EQ(held, AllAxes);
       }
       else if (isWallOfEnd(face.wall))
       {
@@ -362,7 +362,7 @@ TEST(EditableWall, KindsOfNodesOfACube)
     if (node.kind == NodeKind::OnSurface)
     {
       EXPECT_NEAR(norm(node.along), 1, 1e-9);
-      EXPECT_GT(node.leash, 0.3F);
+      EXPECT_GT(node.maxDisplacement, 0.3F);
     }
   }
   EXPECT_EQ(kinds[NodeKind::Corner], 8);
@@ -387,21 +387,22 @@ TEST(EditableWall, IsTheSameForAnyOrder)
     {
       const EditNode& p = x.mesh.node(n);
       const EditNode& q = y.mesh.node(n);
-      ASSERT_EQ(std::tie(p.at, p.kind, p.along, p.leash, p.held, p.atWall),
-        std::tie(q.at, q.kind, q.along, q.leash, q.held, q.atWall));
+      ASSERT_EQ(std::tie(p.at, p.kind, p.along, p.maxDisplacement, p.constrainedAxes, p.atWall),
+        std::tie(q.at, q.kind, q.along, q.maxDisplacement, q.constrainedAxes, q.atWall));
     }
     for (std::uint32_t f = 0; f < x.mesh.faceCount(); ++f)
     {
       const EditFace& p = x.mesh.face(f);
       const EditFace& q = y.mesh.face(f);
-      ASSERT_EQ(std::tie(p.area, p.debt, p.wall, p.cost), std::tie(q.area, q.debt, q.wall, q.cost));
+      ASSERT_EQ(std::tie(p.area, p.volumeDeficit, p.wall, p.cost),
+        std::tie(q.area, q.volumeDeficit, q.wall, q.cost));
     }
     for (std::uint32_t c = 0; c < x.mesh.cellCount(); ++c)
     {
       const EditCell& p = x.mesh.cell(c);
       const EditCell& q = y.mesh.cell(c);
-      ASSERT_EQ(std::tie(p.home, p.volume, p.wall, p.region, p.cost),
-        std::tie(q.home, q.volume, q.wall, q.region, q.cost));
+      ASSERT_EQ(std::tie(p.boxIndex, p.volume, p.wall, p.region, p.cost),
+        std::tie(q.boxIndex, q.volume, q.wall, q.region, q.cost));
     }
   }
 }

@@ -10,7 +10,7 @@ using namespace cartesian;
 namespace
 {
 
-std::size_t countFlat(const EditMesh& mesh)
+std::size_t countFlat(const MeshEditor& mesh)
 {
   std::size_t count = 0;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
@@ -20,15 +20,15 @@ std::size_t countFlat(const EditMesh& mesh)
   return count;
 }
 
-void removeFrom(EditMesh& mesh)
+void removeFrom(MeshEditor& mesh)
 {
   Execution execution;
-  removeFlatFaces(mesh.store(), EditRules(), execution);
+  removeFlatFaces(mesh.mesh(), EditRules(), execution);
 }
 
 // Between u and v, a node becomes a corner of f; a flat face closes the gap to what is beyond that edge of the cell.
 void addFlatFace(
-  EditMesh& mesh, std::uint32_t f, std::uint32_t u, std::uint32_t v, std::uint32_t above)
+  MeshEditor& mesh, std::uint32_t f, std::uint32_t u, std::uint32_t v, std::uint32_t above)
 {
   const Items old = mesh.cornersOf(f);
   std::vector<std::uint32_t> ring(old.begin(), old.end());
@@ -51,7 +51,7 @@ void addFlatFace(
 
 TEST(FlatFaces, OnlyWhatIsOnALineIsFlat)
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(2, 1, 1));
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(2, 1, 1));
   EXPECT_EQ(countFlat(mesh), 0U);
   const std::uint32_t wall = wallOf(mesh, 0, 5);
   const std::uint32_t n = mesh.cornersOf(wall)[0];
@@ -64,7 +64,7 @@ TEST(FlatFaces, OnlyWhatIsOnALineIsFlat)
 
 TEST(FlatFaces, AWallGoes)
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(1, 1, 1));
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(1, 1, 1));
   const std::uint32_t top = wallOf(mesh, 0, 5);
   addFlatFace(mesh, top, mesh.cornersOf(top)[0], mesh.cornersOf(top)[1], None);
   mesh.commit();
@@ -79,7 +79,7 @@ TEST(FlatFaces, AWallGoes)
 // Along the edge of four boxes, inside: all faces there get the corner.
 TEST(FlatFaces, OneBetweenCellsGoes)
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(2, 2, 1));
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(2, 2, 1));
   const std::uint32_t f = faceBetween(mesh, 0, 1);
   ASSERT_NE(f, None);
   std::uint32_t u = None;
@@ -108,8 +108,8 @@ TEST(FlatFaces, OneBetweenCellsGoes)
 
 TEST(FlatFaces, OtherMeshesStay)
 {
-  EditMesh mesh = meshOfBoxes(hangingBoxes());
-  const EditMesh before = copyOf(mesh);
+  MeshEditor mesh = meshOfBoxes(hangingBoxes());
+  const MeshEditor before = copyOf(mesh);
   removeFrom(mesh);
   EXPECT_EQ(differenceOf(mesh, before), "");
 }

@@ -12,7 +12,7 @@ namespace cartesian
 namespace
 {
 
-std::vector<Vector> placesOf(const EditMesh& mesh)
+std::vector<Vector> placesOf(const MeshEditor& mesh)
 {
   std::vector<Vector> places;
   for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
@@ -24,18 +24,18 @@ std::vector<Vector> placesOf(const EditMesh& mesh)
 
 TEST(NodePlaces, DifferFromEachOther)
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(2, 2, 2));
-  mesh.store().level = 1.0 / 1024;
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(2, 2, 2));
+  mesh.mesh().level = 1.0 / 1024;
   const Vector place = mesh.node(5).at;
   for (const std::uint32_t n : { 7U, 3U, 11U, 20U })
   {
     mesh.rawNode(n).at = place;
   }
-  mesh.rawNode(7).held = HeldFast;
-  mesh.rawNode(11).held = 5; // may move along y alone
+  mesh.rawNode(7).constrainedAxes = AllAxes;
+  mesh.rawNode(11).constrainedAxes = 5; // may move along y alone
   const std::vector<Vector> before = placesOf(mesh);
   Execution execution(1);
-  separateNodes(mesh.store(), ObjectiveSpec(), execution);
+  separateNodes(mesh.mesh(), ObjectiveSpec(), execution);
   const std::vector<Vector> after = placesOf(mesh);
   EXPECT_EQ(std::set<Vector>(after.begin(), after.end()).size(), after.size());
   EXPECT_EQ(after[7], place);
@@ -51,16 +51,16 @@ TEST(NodePlaces, DifferFromEachOther)
 // What moved is measured: a mesh that is measured again is the same. Nodes of an edge without length part.
 TEST(NodePlaces, AreMeasured)
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(2, 2, 2));
-  mesh.store().level = 1.0 / 1024;
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(2, 2, 2));
+  mesh.mesh().level = 1.0 / 1024;
   const std::uint32_t inner = nodeAt(mesh, { 1, 1, 1 });
   const std::uint32_t beside = nodeAt(mesh, { 1, 1, 2 });
   mesh.rawNode(inner).at = mesh.node(beside).at;
   measureAgain(mesh);
   Execution execution(1);
-  separateNodes(mesh.store(), ObjectiveSpec(), execution);
+  separateNodes(mesh.mesh(), ObjectiveSpec(), execution);
   ASSERT_NE(mesh.node(inner).at, mesh.node(beside).at);
-  EditMesh again = copyOf(mesh);
+  MeshEditor again = copyOf(mesh);
   measureAgain(again);
   for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
   {

@@ -12,7 +12,7 @@ namespace cartesian
 namespace
 {
 
-// What was committed, by the ledger.
+// What was committed, by the delta.
 struct Totals
 {
   double cost = 0;
@@ -20,7 +20,7 @@ struct Totals
   int failures = 0;
   int strains = 0;
 
-  static Totals of(const EditMesh& mesh)
+  static Totals of(const MeshEditor& mesh)
   {
     Totals totals{ sumOfCosts(mesh), volumeBehindWalls(mesh) };
     for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
@@ -35,12 +35,12 @@ struct Totals
     return totals;
   }
 
-  void add(const Ledger& ledger)
+  void add(const EditDelta& delta)
   {
-    cost += ledger.cost;
-    volume += ledger.volume;
-    failures += ledger.failures;
-    strains += ledger.strains;
+    cost += delta.cost;
+    volume += delta.volume;
+    failures += delta.failures;
+    strains += delta.strains;
   }
 };
 
@@ -52,9 +52,9 @@ void expectNear(const Totals& counted, const Totals& now)
   EXPECT_EQ(counted.strains, now.strains);
 }
 
-void expectTheSame(const EditMesh& mesh, const Totals& totals)
+void expectTheSame(const MeshEditor& mesh, const Totals& totals)
 {
-  EditMesh fresh = copyOf(mesh);
+  MeshEditor fresh = copyOf(mesh);
   measureAgain(fresh);
   const Totals now = Totals::of(fresh);
   expectNear(Totals::of(mesh), now);
@@ -75,7 +75,7 @@ public:
   {
     while (count_ < edits && !testing::Test::HasFailure())
     {
-      EditMesh mesh = randomMesh(random_);
+      MeshEditor mesh = randomMesh(random_);
       if (faultOf(mesh).empty()) // or nodes were moved too far
       {
         edit(mesh);
@@ -95,7 +95,7 @@ private:
   // Cuts take longest.
   static constexpr std::array<int, 17> OftenAs{ 0, 0, 0, 1, 1, 1, 1, 2, 2, 3, 3, 4, 5, 6, 6, 6, 6 };
 
-  static std::size_t countEditable(const EditMesh& mesh)
+  static std::size_t countEditable(const MeshEditor& mesh)
   {
     std::size_t count = 0;
     for (std::uint32_t c = 0; c < mesh.cellCount() && count < 2; ++c)
@@ -105,7 +105,7 @@ private:
     return count;
   }
 
-  void edit(EditMesh& mesh)
+  void edit(MeshEditor& mesh)
   {
     Totals totals = Totals::of(mesh);
     for (unsigned i = 0; i < EditsOfMesh && countEditable(mesh) > 1; ++i)
@@ -119,17 +119,17 @@ private:
     }
   }
 
-  void editOnce(EditMesh& mesh, Totals& totals)
+  void editOnce(MeshEditor& mesh, Totals& totals)
   {
     const bool isChecked = ++count_ % UndosACheck == 0;
-    const EditMesh before = isChecked ? copyOf(mesh) : EditMesh();
+    const MeshEditor before = isChecked ? copyOf(mesh) : MeshEditor();
     const int kind = OftenAs[random_() % OftenAs.size()];
-    const EditMesh::Mark mark = mesh.mark();
-    const bool isValid = RandomEdits(mesh, random_).make(kind) && settle(mesh, ObjectiveSpec()) &&
-      areAllClosed(mesh, mark);
+    const MeshEditor::Mark mark = mesh.mark();
+    const bool isValid = RandomEdits(mesh, random_).make(kind) &&
+      updateAndValidate(mesh, ObjectiveSpec()) && areAllClosed(mesh, mark);
     if (isValid && random_() % 4 == 0)
     {
-      totals.add(mesh.ledger);
+      totals.add(mesh.delta);
       mesh.commit();
       ++committed_[std::size_t(kind)];
       return;

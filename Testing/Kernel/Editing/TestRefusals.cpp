@@ -15,7 +15,7 @@ namespace
 
 // A cell around the rim of a slot that is one box wide: its walls on either side look at each other across it, and its
 // centre is in the slot.
-EditMesh aroundARim()
+MeshEditor aroundARim()
 {
   std::vector<TestBox> boxes;
   for (int x = 0; x < 5; ++x)
@@ -31,7 +31,7 @@ EditMesh aroundARim()
   return cellOfBoxes(boxes);
 }
 
-int invertedSides(const EditMesh& mesh)
+int invertedSides(const MeshEditor& mesh)
 {
   int count = 0;
   for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
@@ -41,7 +41,7 @@ int invertedSides(const EditMesh& mesh)
   return count;
 }
 
-std::vector<std::uint32_t> allCells(const EditMesh& mesh)
+std::vector<std::uint32_t> allCells(const MeshEditor& mesh)
 {
   std::vector<std::uint32_t> cells;
   for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
@@ -54,13 +54,13 @@ std::vector<std::uint32_t> allCells(const EditMesh& mesh)
   return cells;
 }
 
-std::vector<MadeEdit> endAll(EditMesh& mesh, const EditRules& rules = {}, bool removes = true)
+std::vector<MadeEdit> endAll(MeshEditor& mesh, const EditRules& rules = {}, bool removes = true)
 {
   const std::vector<std::uint32_t> cells = allCells(mesh);
-  const std::vector<std::uint8_t> isOver(mesh.cellCount(), 0);
+  const std::vector<std::uint8_t> isDone(mesh.cellCount(), 0);
   std::vector<RemovedPiece> removed;
   std::vector<MadeEdit> edits;
-  endRefusals({ mesh, cells, { cells.data(), cells.data() + cells.size() }, isOver }, rules,
+  endRefusals({ mesh, cells, { cells.data(), cells.data() + cells.size() }, isDone }, rules,
     removes, removed, edits, [] {});
   return edits;
 }
@@ -69,7 +69,7 @@ std::vector<MadeEdit> endAll(EditMesh& mesh, const EditRules& rules = {}, bool r
 
 TEST(Refusals, CellsAroundRimsAreTakenApartWithoutLoss)
 {
-  EditMesh mesh = aroundARim();
+  MeshEditor mesh = aroundARim();
   const double volume = volumeOf(mesh);
   ASSERT_GT(invertedSides(mesh), 0);
   ASSERT_TRUE(isRefused(mesh, 0));
@@ -84,8 +84,8 @@ TEST(Refusals, CellsAroundRimsAreTakenApartWithoutLoss)
 
 TEST(Refusals, GoodCellsStayAsTheyAre)
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(2, 2, 2));
-  const EditMesh before = copyOf(mesh);
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(2, 2, 2));
+  const MeshEditor before = copyOf(mesh);
   EXPECT_EQ(invertedSides(mesh), 0);
   EXPECT_TRUE(endAll(mesh).empty());
   EXPECT_EQ(differenceOf(mesh, before), "");
@@ -99,7 +99,7 @@ TEST(Refusals, FlapsGoWithWhatHangsOnThem)
   spec.place = [](const Vector& p) {
     return Vector{ p[0], p[1], p[0] < 2 ? p[2] : Thickness * p[2] };
   };
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(4, 1, 1), spec);
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(4, 1, 1), spec);
   const auto flaps = [&] {
     const std::vector<std::uint32_t> cells = allCells(mesh);
     return std::count_if(cells.begin(), cells.end(), [&](std::uint32_t c) {
@@ -123,7 +123,7 @@ TEST(Refusals, FlapsGoWithWhatHangsOnThem)
 
 TEST(Refusals, WithoutCutsMergesAndRemovalOnlyFacesAreJoined)
 {
-  EditMesh mesh = aroundARim();
+  MeshEditor mesh = aroundARim();
   const double volume = volumeOf(mesh);
   EditRules rules;
   rules.mayCut = false;
@@ -137,21 +137,21 @@ TEST(Refusals, WithoutCutsMergesAndRemovalOnlyFacesAreJoined)
 
 TEST(Refusals, TheLedgerCountsThem)
 {
-  EditMesh mesh = aroundARim();
+  MeshEditor mesh = aroundARim();
   const int before = invertedSides(mesh);
   const EditRules rules;
   RefusedPieces pieces(mesh, rules);
   pieces.begin(0);
   const RefusalPlan plan = searchRefusals(pieces, SearchBudget());
   EXPECT_EQ(invertedSides(mesh), before); // a search changes nothing
-  const EditMesh::Mark mark = mesh.mark();
+  const MeshEditor::Mark mark = mesh.mark();
   for (const RefusalEdit& edit : plan)
   {
     ASSERT_TRUE(pieces.make(edit));
-    EXPECT_EQ(mesh.ledger.inverted, invertedSides(mesh) - before);
+    EXPECT_EQ(mesh.delta.inverted, invertedSides(mesh) - before);
   }
   mesh.undo(mark);
-  EXPECT_EQ(mesh.ledger.inverted, 0);
+  EXPECT_EQ(mesh.delta.inverted, 0);
 }
 
 // In order of rank.

@@ -216,14 +216,14 @@ TEST(WallImprovement, WallsAreCentred)
   const auto a = assembledOf(cube().turned(), cellsOf(0.13), options, execution);
   EditableWall wall =
     openWall({ a->boxes, a->patches, a->sides, a->nodes, a->wall }, {}, execution);
-  EditStore& store = wall.mesh.store();
+  EditMesh& whole = wall.mesh.mesh();
   const auto tangents = [&] { // by area
     double sum = 0;
-    for (const EditFace& face : store.faces)
+    for (const EditFace& face : whole.faces)
     {
       if (!face.gone && face.above == None)
       {
-        const Vector to = minus(face.centre, store.cells[face.below].centre);
+        const Vector to = minus(face.centre, whole.cells[face.below].centre);
         const double height = dot(to, unit(face.area));
         sum += norm(face.area) * std::sqrt(std::max(0.0, dot(to, to) / (height * height) - 1));
       }
@@ -232,26 +232,26 @@ TEST(WallImprovement, WallsAreCentred)
   };
   const auto area = [&] {
     double sum = 0;
-    for (const EditFace& face : store.faces)
+    for (const EditFace& face : whole.faces)
     {
       sum += face.gone || face.above != None ? 0 : norm(face.area);
     }
     return sum;
   };
   const ObjectiveSpec spec;
-  costAll(store, spec, execution);
-  editInZones(store, execution, [&](const ZoneTask& task) {
+  costAll(whole, spec, execution);
+  editInZones(whole, execution, [&](const ZoneTask& task) {
     simplifyWalls(task, SimplificationSpec(), { spec }, [] {});
     improve(task, LoopSpec(), [] {});
   });
   const double tangentsBefore = tangents();
   const double areaBefore = area();
-  centreWalls(store, spec, execution);
+  centreWalls(whole, spec, execution);
   EXPECT_LT(tangents(), 0.9 * tangentsBefore);
   EXPECT_NEAR(area(), areaBefore, OffPlanes * areaBefore);
 }
 
-TEST(WallImprovement, DebtsAreWhatTheVolumeLacks)
+TEST(WallImprovement, DeficitsAreWhatTheVolumeLacks)
 {
   const TestOptions options = asTheyAre();
   const Soup soup = torus(48, 1, 0.4).turned();
@@ -259,27 +259,27 @@ TEST(WallImprovement, DebtsAreWhatTheVolumeLacks)
   const auto a = assembledOf(soup, cellsOf(0.13), options, execution);
   EditableWall wall =
     openWall({ a->boxes, a->patches, a->sides, a->nodes, a->wall }, {}, execution);
-  EditStore& store = wall.mesh.store();
+  EditMesh& whole = wall.mesh.mesh();
   const auto together = [&] {
     double sum = 0;
-    for (const EditFace& face : store.faces)
+    for (const EditFace& face : whole.faces)
     {
-      sum += face.gone || face.above != None ? 0 : face.behind + face.debt;
+      sum += face.gone || face.above != None ? 0 : face.behind + face.volumeDeficit;
     }
     return sum;
   };
   const LoopSpec spec;
   const auto poll = [] {};
-  costAll(store, spec.rules.spec, execution);
+  costAll(whole, spec.rules.spec, execution);
   const double before = together();
-  editInZones(store, execution, [&](const ZoneTask& task) {
+  editInZones(whole, execution, [&](const ZoneTask& task) {
     simplifyWalls(task, SimplificationSpec(), spec.rules, poll);
     snapEdges(task, spec.rules, SnapSpec(), poll);
   });
   EXPECT_NEAR(together(), before, 1e-9 * before);
-  payDebts(store, spec.rules.spec, execution);
+  redistributeVolume(whole, spec.rules.spec, execution);
   EXPECT_NEAR(together(), before, 1e-9 * before);
-  editInZones(store, execution, [&](const ZoneTask& task) { improve(task, spec, poll); });
+  editInZones(whole, execution, [&](const ZoneTask& task) { improve(task, spec, poll); });
   EXPECT_NEAR(together(), before, 1e-9 * before);
 }
 

@@ -22,7 +22,7 @@ namespace
 class AsOutput
 {
 public:
-  explicit AsOutput(const EditMesh& mesh)
+  explicit AsOutput(const MeshEditor& mesh)
   {
     const auto count = static_cast<std::uint32_t>(mesh.nodeCount());
     std::vector<double> points;
@@ -75,7 +75,7 @@ public:
 };
 
 // Whether any measure of a face that the objective calls failing is beyond these limits; `limits` may be stricter.
-bool failsBeyond(const AsOutput& output, const EditMesh& mesh, std::uint32_t f, bool withMargin)
+bool failsBeyond(const AsOutput& output, const MeshEditor& mesh, std::uint32_t f, bool withMargin)
 {
   const double boundary = withMargin ? std::acos(FailsBeyond::BoundaryCosine) * 180 / Pi : 90;
   const double inner = withMargin ? std::acos(FailsBeyond::InnerCosine) * 180 / Pi : 75;
@@ -95,7 +95,7 @@ bool failsBeyond(const AsOutput& output, const EditMesh& mesh, std::uint32_t f, 
 class CostAround
 {
 public:
-  CostAround(const EditMesh& mesh, std::uint32_t n, const ObjectiveSpec& spec)
+  CostAround(const MeshEditor& mesh, std::uint32_t n, const ObjectiveSpec& spec)
     : mesh_(mesh)
     , spec_(spec)
   {
@@ -126,7 +126,7 @@ public:
         }
       }
       cost += costOfCell(
-        measuresOfOne(c).volume / mesh_.cell(c).box, mesh_.wantedShare(), determinant.value())
+        measuresOfOne(c).volume / mesh_.cell(c).boxVolume, mesh_.wantedShare(), determinant.value())
                 .value;
     }
     for (const std::uint32_t f : faces_)
@@ -205,7 +205,7 @@ private:
     return cost.cost().value;
   }
 
-  const EditMesh& mesh_;
+  const MeshEditor& mesh_;
   const ObjectiveSpec& spec_;
   std::set<std::uint32_t> cells_;
   std::set<std::uint32_t> faces_;
@@ -220,7 +220,7 @@ Vector along(std::size_t axis, double length)
 
 // Neither centre is nearly in the face's plane, or on its wrong side: what the objective measures there is not what OpenFOAM
 // does.
-bool isUpright(const EditMesh& mesh, std::uint32_t f)
+bool isUpright(const MeshEditor& mesh, std::uint32_t f)
 {
   const EditFace& face = mesh.face(f);
   const Vector& below = mesh.cell(face.below).centre;
@@ -233,7 +233,7 @@ bool isUpright(const EditMesh& mesh, std::uint32_t f)
 }
 
 // A cube on a sheared one: of one more parameter each, all measures go through their limits.
-EditMesh twoBoxes(double shift, double height, double twist)
+MeshEditor twoBoxes(double shift, double height, double twist)
 {
   return meshOfBoxes(blockOfBoxes(1, 1, 2), { [&](const Vector& p) {
     return p[2] < 2 ? p : Vector{ p[0] + shift + (p[1] > 0 ? twist : 0), p[1], 1 + height };
@@ -253,7 +253,7 @@ TEST(WallObjective, FailsWhereTheMeshsQualityDoes)
     const double first = 5 * part(random); // in an order of our own: compilers differ
     const double second = std::pow(10, 2 * part(random));
     const double third = 2 * part(random);
-    EditMesh mesh = i % 2 == 0 ? randomMesh(random, 0.6) : twoBoxes(first, second, third);
+    MeshEditor mesh = i % 2 == 0 ? randomMesh(random, 0.6) : twoBoxes(first, second, third);
     const AsOutput output(mesh);
     for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
     {
@@ -281,7 +281,7 @@ TEST(WallObjective, StrainsWhereTheMeshsQualitySaysSo)
   {
     const double first = part(random) / 10; // in an order of our own: compilers differ
     const double second = std::pow(10, 1.7 * part(random));
-    const EditMesh mesh = i % 2 == 0 ? randomMesh(random, 0.6) : twoBoxes(first, second, 0);
+    const MeshEditor mesh = i % 2 == 0 ? randomMesh(random, 0.6) : twoBoxes(first, second, 0);
     const AsOutput output(mesh);
     for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
     {
@@ -311,7 +311,7 @@ TEST(WallObjective, MeasuresAreThoseOfCellGeometry)
   std::mt19937 random(29);
   for (int i = 0; i < 50; ++i)
   {
-    const EditMesh mesh = randomMesh(random, 0.4);
+    const MeshEditor mesh = randomMesh(random, 0.4);
     const AsOutput output(mesh);
     for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
     {
@@ -332,7 +332,7 @@ TEST(WallObjective, MeasuresAreThoseOfCellGeometry)
 
 TEST(WallObjective, CubesCostNextToNothing)
 {
-  const EditMesh mesh = meshOfBoxes(blockOfBoxes(3, 3, 3));
+  const MeshEditor mesh = meshOfBoxes(blockOfBoxes(3, 3, 3));
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
   {
     EXPECT_LT(mesh.face(f).cost, 0.02);
@@ -369,8 +369,8 @@ TEST(WallObjective, HasNoUnit)
   std::mt19937 second(31);
   for (int i = 0; i < 20; ++i)
   {
-    const EditMesh mesh = randomMesh(first);
-    EditMesh large = randomMesh(second);
+    const MeshEditor mesh = randomMesh(first);
+    MeshEditor large = randomMesh(second);
     scaleBy(large, 4);
     for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
     {
@@ -392,7 +392,7 @@ TEST(WallObjective, Saturates)
   double lastOfAll = 0;
   for (const double shift : { 0.5, 1.0, 2.0, 4.0 })
   {
-    EditMesh mesh = twoBoxes(shift, 1, 0);
+    MeshEditor mesh = twoBoxes(shift, 1, 0);
     const std::uint32_t f = faceBetween(mesh, 0, 1);
     const double cost = costOfFace(mesh, f, ObjectiveSpec()).value;
     const double sum = costOfFace(mesh, f, all).value;
@@ -411,7 +411,7 @@ TEST(WallObjective, CostsByAnotherSpecificationAreThoseMeasured)
   spec.place = [](const Vector& p) { // the side between the boxes folds over both
     return p[0] == 1 ? Vector{ (p[1] > 0) == (p[2] > 0) ? 3.5 : -1.5, p[1], p[2] } : p;
   };
-  EditMesh mesh =
+  MeshEditor mesh =
     meshOfBoxes({ { { 0, 0, 0 }, { 1, 1, 1 }, 0 }, { { 1, 0, 0 }, { 2, 1, 1 }, 1 } }, spec);
   const ObjectiveSpec usual;
   ObjectiveSpec other;
@@ -440,8 +440,8 @@ TEST(WallObjective, GradientsAreDifferences)
   {
     ObjectiveSpec spec;
     spec.saturation = i % 2 == 0 ? 15 : 0;
-    EditMesh mesh = randomMesh(random, 0.35);
-    mesh.store().layered.assign(i % 3 == 0 ? 8 : 0, 1);
+    MeshEditor mesh = randomMesh(random, 0.35);
+    mesh.mesh().layered.assign(i % 3 == 0 ? 8 : 0, 1);
     for (std::uint32_t n = 0; n < mesh.nodeCount(); n += 3)
     {
       const CostAround around(mesh, n, spec);
@@ -482,17 +482,17 @@ TEST(WallObjective, IsWhatSettlingFinds)
   int count = 0;
   for (int i = 0; i < 30; ++i)
   {
-    EditMesh mesh = randomMesh(random, 0.2);
+    MeshEditor mesh = randomMesh(random, 0.2);
     for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
     {
       const CostAround around(mesh, n, spec);
       const double before = around.known();
-      const EditMesh::Mark mark = mesh.mark();
+      const MeshEditor::Mark mark = mesh.mark();
       mesh.moveNode(n, plus(mesh.node(n).at, { part(random), part(random), part(random) }));
-      if (settle(mesh, spec))
+      if (updateAndValidate(mesh, spec))
       {
         EXPECT_NEAR(around.known(), around.computed(), 1e-4 * (1 + around.computed()));
-        EXPECT_NEAR(mesh.ledger.cost, around.known() - before, 1e-9 * (1 + before));
+        EXPECT_NEAR(mesh.delta.cost, around.known() - before, 1e-9 * (1 + before));
         ++count;
       }
       mesh.undo(mark);

@@ -22,7 +22,8 @@ TEST(BoxRebuilding, ClosesWhatItRebuilds)
   std::vector<std::uint8_t> flawed = findFlawed(boxes, patches, sides, nodes, inner, execution);
   EXPECT_EQ(std::count(flawed.begin(), flawed.end(), 1), 0);
   flawed[flawed.size() / 2] = 1; // as if it were
-  for (const GivenUp givenUp : { GivenUp::Nothing, GivenUp::Chords, GivenUp::Crossings })
+  for (const RebuildLevel givenUp :
+    { RebuildLevel::Nothing, RebuildLevel::Chords, RebuildLevel::Crossings })
   {
     const RebuiltPatches rebuilt =
       rebuildFlawedBoxes(boxes, patches, sides, nodes, inner, flawed, givenUp, execution);

@@ -53,7 +53,7 @@ public:
   {
   }
 
-  EditMesh make() &&
+  MeshEditor make() &&
   {
     for (std::uint32_t i = 0; i < boxes_.size(); ++i)
     {
@@ -62,7 +62,7 @@ public:
     }
     addNodes();
     addFaces();
-    mesh_.store().level = std::ldexp(1.0, -46);
+    mesh_.mesh().level = std::ldexp(1.0, -46);
     mesh_.connect();
     settleWalls(mesh_);
     return std::move(mesh_);
@@ -74,7 +74,7 @@ private:
     EditCell cell;
     cell.region = box.region;
     cell.edge = box.high[0] - box.low[0];
-    cell.box = cell.edge * cell.edge * cell.edge;
+    cell.boxVolume = cell.edge * cell.edge * cell.edge;
     cell.number = static_cast<std::uint32_t>(mesh_.cellCount());
     mesh_.addCell(cell);
   }
@@ -160,10 +160,10 @@ private:
       node.at = spec_.place ? spec_.place(at) : at;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        if ((spec_.held >> axis & 1) != 0 &&
+        if ((spec_.constrainedAxes >> axis & 1) != 0 &&
           (place[axis] == low[axis] || place[axis] == high[axis]))
         {
-          node.held = static_cast<std::uint8_t>(node.held | 1U << axis);
+          node.constrainedAxes = static_cast<std::uint8_t>(node.constrainedAxes | 1U << axis);
           node.at[axis] = place[axis];
         }
       }
@@ -215,10 +215,10 @@ private:
   const TestMeshSpec& spec_;
   std::vector<Rectangle> rectangles_;
   std::map<Place, std::uint32_t> nodes_;
-  EditMesh mesh_;
+  MeshEditor mesh_;
 };
 
-Vector meanOfCorners(const EditMesh& mesh, std::uint32_t f)
+Vector meanOfCorners(const MeshView& mesh, std::uint32_t f)
 {
   Vector mean{};
   for (const std::uint32_t n : mesh.cornersOf(f))
@@ -228,7 +228,7 @@ Vector meanOfCorners(const EditMesh& mesh, std::uint32_t f)
   return scaled(mean, 1.0 / double(mesh.face(f).corners.size));
 }
 
-double volumeUnder(const EditMesh& mesh, std::uint32_t f)
+double volumeUnder(const MeshView& mesh, std::uint32_t f)
 {
   const Vector mean = meanOfCorners(mesh, f);
   const std::size_t size = mesh.face(f).corners.size;
@@ -240,7 +240,7 @@ double volumeUnder(const EditMesh& mesh, std::uint32_t f)
   return volume / 6;
 }
 
-void classify(EditMesh& mesh, std::uint32_t n)
+void classify(MeshEditor& mesh, std::uint32_t n)
 {
   EditNode& node = mesh.rawNode(n);
   Vector normal{};
@@ -250,8 +250,8 @@ void classify(EditMesh& mesh, std::uint32_t n)
   }
   const SharpEnds ends = sharpEndsAt(mesh, n);
   node.kind = NodeKind::Free;
-  node.home = node.at;
-  node.leash = 0.2F;
+  node.referencePosition = node.at;
+  node.maxDisplacement = 0.2F;
   if (!node.atWall)
   {
     return;
@@ -268,7 +268,7 @@ std::string at(const char* what, std::uint32_t i)
   return std::string(what) + " " + std::to_string(i);
 }
 
-bool areConnected(const EditMesh& mesh, std::uint32_t c)
+bool areConnected(const MeshView& mesh, std::uint32_t c)
 {
   std::map<std::set<std::uint32_t>, std::vector<std::uint32_t>> edges;
   for (const std::uint32_t f : mesh.facesOf(c))
@@ -295,7 +295,7 @@ bool areConnected(const EditMesh& mesh, std::uint32_t c)
   return seen.size() == mesh.facesOf(c).size();
 }
 
-std::string faultOfCell(const EditMesh& mesh, std::uint32_t c)
+std::string faultOfCell(const MeshView& mesh, std::uint32_t c)
 {
   const Items faces = mesh.facesOf(c);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -328,7 +328,7 @@ std::string faultOfCell(const EditMesh& mesh, std::uint32_t c)
                                  : "";
 }
 
-std::string faultOfFace(const EditMesh& mesh, std::uint32_t f)
+std::string faultOfFace(const MeshView& mesh, std::uint32_t f)
 {
   const EditFace& face = mesh.face(f);
   for (const std::uint32_t c : { face.below, face.above })
@@ -360,7 +360,7 @@ std::string faultOfFace(const EditMesh& mesh, std::uint32_t f)
   return "";
 }
 
-std::string faultOfNode(const EditMesh& mesh, std::uint32_t n)
+std::string faultOfNode(const MeshView& mesh, std::uint32_t n)
 {
   const Items faces = mesh.facesAround(n);
   for (const std::uint32_t f : faces)
@@ -374,7 +374,7 @@ std::string faultOfNode(const EditMesh& mesh, std::uint32_t n)
   return mesh.node(n).gone != (faces.size() == 0) ? at("gone or not: node", n) : "";
 }
 
-std::string twinIn(const EditMesh& mesh)
+std::string twinIn(const MeshView& mesh)
 {
   std::set<std::vector<std::uint32_t>> known;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
@@ -413,29 +413,32 @@ std::pair<T, T> both(const T& a, const T& b)
 
 bool isSameRecord(const EditNode& a, const EditNode& b)
 {
-  return areSame(both(a.at, b.at), both(a.along, b.along), both(a.home, b.home),
-    both(a.leash, b.leash), both(a.strayed, b.strayed), both(a.number, b.number),
-    both(a.kind, b.kind), both(a.held, b.held), both(a.atWall, b.atWall), both(a.gone, b.gone));
+  return areSame(both(a.at, b.at), both(a.along, b.along),
+    both(a.referencePosition, b.referencePosition), both(a.maxDisplacement, b.maxDisplacement),
+    both(a.accumulatedDeviation, b.accumulatedDeviation), both(a.number, b.number),
+    both(a.kind, b.kind), both(a.constrainedAxes, b.constrainedAxes), both(a.atWall, b.atWall),
+    both(a.gone, b.gone));
 }
 
 bool isSameRecord(const EditFace& a, const EditFace& b)
 {
   return areSame(both(a.centre, b.centre), both(a.area, b.area), both(a.original, b.original),
-    both(a.cost, b.cost), both(a.behind, b.behind), both(a.debt, b.debt), both(a.star, b.star),
-    both(a.warp, b.warp), both(a.strayed, b.strayed), both(a.below, b.below),
+    both(a.cost, b.cost), both(a.behind, b.behind), both(a.volumeDeficit, b.volumeDeficit),
+    both(a.star, b.star), both(a.warp, b.warp),
+    both(a.accumulatedDeviation, b.accumulatedDeviation), both(a.below, b.below),
     both(a.above, b.above), both(a.wall, b.wall), both(a.number, b.number), both(a.gone, b.gone),
     both(a.fails, b.fails), both(a.strains, b.strains));
 }
 
 bool isSameRecord(const EditCell& a, const EditCell& b)
 {
-  return areSame(both(a.centre, b.centre), both(a.volume, b.volume), both(a.box, b.box),
-    both(a.edge, b.edge), both(a.cost, b.cost), both(a.number, b.number), both(a.home, b.home),
-    both(a.wall, b.wall), both(a.region, b.region), both(a.state, b.state), both(a.gone, b.gone),
-    both(a.strains, b.strains));
+  return areSame(both(a.centre, b.centre), both(a.volume, b.volume), both(a.boxVolume, b.boxVolume),
+    both(a.edge, b.edge), both(a.cost, b.cost), both(a.number, b.number),
+    both(a.boxIndex, b.boxIndex), both(a.wall, b.wall), both(a.region, b.region),
+    both(a.state, b.state), both(a.gone, b.gone), both(a.strains, b.strains));
 }
 
-bool isSameList(const EditMesh& mesh, const ItemList& a, const EditMesh& other, const ItemList& b)
+bool isSameList(const MeshView& mesh, const ItemList& a, const MeshView& other, const ItemList& b)
 {
   const Items items = mesh.itemsOf(a);
   const Items others = other.itemsOf(b);
@@ -445,8 +448,8 @@ bool isSameList(const EditMesh& mesh, const ItemList& a, const EditMesh& other, 
 
 // A record that only one of them has is of what was made, and is gone again.
 template <class Record, class List>
-std::string differenceIn(const EditMesh& mesh, const RecordVector<Record>& all,
-  const EditMesh& other, const RecordVector<Record>& others, const char* what, List&& list)
+std::string differenceIn(const MeshView& mesh, const RecordVector<Record>& all,
+  const MeshView& other, const RecordVector<Record>& others, const char* what, List&& list)
 {
   for (std::uint32_t i = 0; i < std::max(all.size(), others.size()); ++i)
   {
@@ -464,11 +467,6 @@ std::string differenceIn(const EditMesh& mesh, const RecordVector<Record>& all,
     }
   }
   return "";
-}
-
-const EditStore& storeOf(const EditMesh& mesh)
-{
-  return const_cast<EditMesh&>(mesh).store(); // there is none for reading
 }
 
 }
@@ -514,34 +512,34 @@ std::vector<TestBox> ringOfBoxes()
   return boxes;
 }
 
-EditMesh meshOfBoxes(const std::vector<TestBox>& boxes, const TestMeshSpec& spec)
+MeshEditor meshOfBoxes(const std::vector<TestBox>& boxes, const TestMeshSpec& spec)
 {
   return MeshOfBoxes(boxes, spec).make();
 }
 
-EditMesh copyOf(const EditMesh& mesh)
+MeshEditor copyOf(const MeshEditor& mesh)
 {
-  EditMesh copy;
-  copy.store() = storeOf(mesh);
-  copy.ledger = mesh.ledger;
+  MeshEditor copy;
+  copy.mesh() = mesh.mesh();
+  copy.delta = mesh.delta;
   return copy;
 }
 
-void measureAgain(EditMesh& mesh, const ObjectiveSpec& spec)
+void measureAgain(MeshEditor& mesh, const ObjectiveSpec& spec)
 {
   Execution execution;
-  measureAll(mesh.store(), execution);
+  measureAll(mesh.mesh(), execution);
   costAgain(mesh, spec);
 }
 
-void costAgain(EditMesh& mesh, const ObjectiveSpec& spec)
+void costAgain(MeshEditor& mesh, const ObjectiveSpec& spec)
 {
   Execution execution;
-  costAll(mesh.store(), spec, execution);
-  mesh.ledger = Ledger();
+  costAll(mesh.mesh(), spec, execution);
+  mesh.delta = EditDelta();
 }
 
-void runLoop(EditMesh& mesh, const LoopSpec& spec)
+void runLoop(MeshEditor& mesh, const LoopSpec& spec)
 {
   std::vector<std::uint32_t> cells;
   for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
@@ -555,15 +553,15 @@ void runLoop(EditMesh& mesh, const LoopSpec& spec)
   improve({ mesh, cells, zone, std::vector<std::uint8_t>(mesh.cellCount(), 0) }, spec, [] {});
 }
 
-void improveWhole(EditMesh& mesh)
+void improveWhole(MeshEditor& mesh)
 {
   Execution execution;
   improveWall(mesh, {}, execution);
 }
 
-void scaleBy(EditMesh& mesh, double factor)
+void scaleBy(MeshEditor& mesh, double factor)
 {
-  mesh.store().level *= factor;
+  mesh.mesh().level *= factor;
   for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
   {
     mesh.rawNode(n).at = scaled(mesh.node(n).at, factor);
@@ -571,16 +569,16 @@ void scaleBy(EditMesh& mesh, double factor)
   for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
   {
     mesh.rawCell(c).edge *= factor;
-    mesh.rawCell(c).box *= factor * factor * factor;
+    mesh.rawCell(c).boxVolume *= factor * factor * factor;
   }
   settleWalls(mesh);
   for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
   {
-    mesh.rawNode(n).leash *= static_cast<float>(factor);
+    mesh.rawNode(n).maxDisplacement *= static_cast<float>(factor);
   }
 }
 
-void settleWalls(EditMesh& mesh)
+void settleWalls(MeshEditor& mesh)
 {
   measureAgain(mesh);
   for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
@@ -598,9 +596,9 @@ void settleWalls(EditMesh& mesh)
   costAgain(mesh, ObjectiveSpec());
 }
 
-EditMesh wedge()
+MeshEditor wedge()
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(1, 1, 1));
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(1, 1, 1));
   for (const double y : { 0.0, 1.0 })
   {
     const Vector to{ 0, y, 0 };
@@ -611,9 +609,9 @@ EditMesh wedge()
   return mesh;
 }
 
-EditMesh dentedCell(double depth)
+MeshEditor dentedCell(double depth)
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(2, 1, 1), { [&](const Vector& p) {
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(2, 1, 1), { [&](const Vector& p) {
     return Vector{ p[0], p[1], p[0] == 1 && p[2] == 1 ? 1 - depth : p[2] };
   } });
   mergeCells(mesh, 0, 1);
@@ -622,9 +620,9 @@ EditMesh dentedCell(double depth)
   return mesh;
 }
 
-EditMesh cellOfBoxes(const std::vector<TestBox>& boxes)
+MeshEditor cellOfBoxes(const std::vector<TestBox>& boxes)
 {
-  EditMesh mesh = meshOfBoxes(boxes);
+  MeshEditor mesh = meshOfBoxes(boxes);
   for (bool isAny = true; isAny;)
   {
     isAny = false;
@@ -639,7 +637,7 @@ EditMesh cellOfBoxes(const std::vector<TestBox>& boxes)
   return mesh;
 }
 
-EditMesh randomMesh(std::mt19937& random, double moved)
+MeshEditor randomMesh(std::mt19937& random, double moved)
 {
   const auto lessThan = [&](
                           int most) { return std::uniform_int_distribution<int>(0, most)(random); };
@@ -668,7 +666,7 @@ EditMesh randomMesh(std::mt19937& random, double moved)
     }
   }
   TestMeshSpec spec;
-  spec.held = static_cast<std::uint8_t>(lessThan(3) == 0 ? 1 << lessThan(2) : 0);
+  spec.constrainedAxes = static_cast<std::uint8_t>(lessThan(3) == 0 ? 1 << lessThan(2) : 0);
   std::uniform_real_distribution<double> by(-moved, moved);
   spec.place = [&](const Vector& p) {
     Vector at = p;
@@ -681,7 +679,7 @@ EditMesh randomMesh(std::mt19937& random, double moved)
   return meshOfBoxes(boxes, spec);
 }
 
-std::uint32_t nodeAt(const EditMesh& mesh, const Vector& place)
+std::uint32_t nodeAt(const MeshView& mesh, const Vector& place)
 {
   for (std::uint32_t n = 0; n < mesh.nodeCount(); ++n)
   {
@@ -693,7 +691,7 @@ std::uint32_t nodeAt(const EditMesh& mesh, const Vector& place)
   return None;
 }
 
-std::uint32_t wallOf(const EditMesh& mesh, std::uint32_t cell, std::int32_t wall)
+std::uint32_t wallOf(const MeshView& mesh, std::uint32_t cell, std::int32_t wall)
 {
   const Items faces = mesh.facesOf(cell);
   const std::uint32_t* found = std::find_if(faces.begin(), faces.end(),
@@ -701,7 +699,7 @@ std::uint32_t wallOf(const EditMesh& mesh, std::uint32_t cell, std::int32_t wall
   return found == faces.end() ? None : *found;
 }
 
-std::uint32_t faceBetween(const EditMesh& mesh, std::uint32_t a, std::uint32_t b)
+std::uint32_t faceBetween(const MeshView& mesh, std::uint32_t a, std::uint32_t b)
 {
   const Items faces = mesh.facesOf(a);
   const std::uint32_t* found = std::find_if(
@@ -709,7 +707,7 @@ std::uint32_t faceBetween(const EditMesh& mesh, std::uint32_t a, std::uint32_t b
   return found == faces.end() ? None : *found;
 }
 
-std::size_t countCells(const EditMesh& mesh)
+std::size_t countCells(const MeshView& mesh)
 {
   std::size_t count = 0;
   for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
@@ -719,7 +717,7 @@ std::size_t countCells(const EditMesh& mesh)
   return count;
 }
 
-std::size_t countFaces(const EditMesh& mesh)
+std::size_t countFaces(const MeshView& mesh)
 {
   std::size_t count = 0;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
@@ -729,7 +727,7 @@ std::size_t countFaces(const EditMesh& mesh)
   return count;
 }
 
-double volumeOf(const EditMesh& mesh, std::uint32_t cell)
+double volumeOf(const MeshView& mesh, std::uint32_t cell)
 {
   double volume = 0;
   for (const std::uint32_t f : mesh.facesOf(cell))
@@ -739,7 +737,7 @@ double volumeOf(const EditMesh& mesh, std::uint32_t cell)
   return volume;
 }
 
-double volumeOf(const EditMesh& mesh)
+double volumeOf(const MeshView& mesh)
 {
   double volume = 0;
   for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
@@ -749,7 +747,7 @@ double volumeOf(const EditMesh& mesh)
   return volume;
 }
 
-double volumeBehindWalls(const EditMesh& mesh)
+double volumeBehindWalls(const MeshView& mesh)
 {
   double volume = 0;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
@@ -759,7 +757,7 @@ double volumeBehindWalls(const EditMesh& mesh)
   return volume;
 }
 
-double sumOfCosts(const EditMesh& mesh)
+double sumOfCosts(const MeshView& mesh)
 {
   double sum = 0;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
@@ -773,7 +771,7 @@ double sumOfCosts(const EditMesh& mesh)
   return sum;
 }
 
-std::string faultOf(const EditMesh& mesh)
+std::string faultOf(const MeshEditor& mesh)
 {
   std::string fault;
   for (std::uint32_t f = 0; f < mesh.faceCount() && fault.empty(); ++f)
@@ -791,10 +789,10 @@ std::string faultOf(const EditMesh& mesh)
   return fault.empty() ? twinIn(mesh) : fault;
 }
 
-std::string differenceOf(const EditMesh& mesh, const EditMesh& other)
+std::string differenceOf(const MeshEditor& mesh, const MeshEditor& other)
 {
-  const EditStore& one = storeOf(mesh);
-  const EditStore& two = storeOf(other);
+  const EditMesh& one = mesh.mesh();
+  const EditMesh& two = other.mesh();
   const auto facesOf = [](const auto& record) { return record.faces; };
   const auto cornersOf = [](const EditFace& face) { return face.corners; };
   for (const std::string& difference :
@@ -807,12 +805,12 @@ std::string differenceOf(const EditMesh& mesh, const EditMesh& other)
       return difference;
     }
   }
-  const Ledger& a = mesh.ledger;
-  const Ledger& b = other.ledger;
+  const EditDelta& a = mesh.delta;
+  const EditDelta& b = other.delta;
   return areSame(both(a.cost, b.cost), both(a.volume, b.volume), both(a.fidelity, b.fidelity),
            both(a.failures, b.failures), both(a.strains, b.strains))
     ? ""
-    : "ledger";
+    : "delta";
 }
 
 }

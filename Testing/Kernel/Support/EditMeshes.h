@@ -30,60 +30,61 @@ std::vector<TestBox> ringOfBoxes();
 struct TestMeshSpec
 {
   std::function<Vector(const Vector&)> place; // where nodes are, of where boxes have them
-  std::uint8_t held = 0; // bits: 1 << axis: nodes of both outer sides across it stay on them
+  std::uint8_t constrainedAxes =
+    0; // bits: 1 << axis: nodes of both outer sides across it stay on them
 };
 
 // Boxes that fill a region; where they have no neighbour is wall 2 * axis, or 2 * axis + 1 on the upper side; between two
 // regions, wall 6. A side must have neighbours everywhere or nowhere. Nodes know what they are from the walls' sharp
 // edges. All is measured.
-EditMesh meshOfBoxes(const std::vector<TestBox>& boxes, const TestMeshSpec& spec = {});
+MeshEditor meshOfBoxes(const std::vector<TestBox>& boxes, const TestMeshSpec& spec = {});
 
-EditMesh copyOf(const EditMesh& mesh);
+MeshEditor copyOf(const MeshEditor& mesh);
 
 // All measures and costs again; costs only.
-void measureAgain(EditMesh& mesh, const ObjectiveSpec& spec = {});
-void costAgain(EditMesh& mesh, const ObjectiveSpec& spec);
+void measureAgain(MeshEditor& mesh, const ObjectiveSpec& spec = {});
+void costAgain(MeshEditor& mesh, const ObjectiveSpec& spec);
 
 // The loop, for all cells; all steps.
-void runLoop(EditMesh& mesh, const LoopSpec& spec);
-void improveWhole(EditMesh& mesh);
+void runLoop(MeshEditor& mesh, const LoopSpec& spec);
+void improveWhole(MeshEditor& mesh);
 
 // All lengths times a power of two.
-void scaleBy(EditMesh& mesh, double factor);
+void scaleBy(MeshEditor& mesh, double factor);
 
 // What nodes are, from the walls; original areas and homes are as of now; then costs.
-void settleWalls(EditMesh& mesh);
+void settleWalls(MeshEditor& mesh);
 
 // A wedge: the upper edge of a box's side goes.
-EditMesh wedge();
+MeshEditor wedge();
 
 // Two boxes, as one cell, whose upper walls bend inwards in the middle by `depth`.
-EditMesh dentedCell(double depth);
+MeshEditor dentedCell(double depth);
 
 // Boxes as one cell: L and U.
-EditMesh cellOfBoxes(const std::vector<TestBox>& boxes);
+MeshEditor cellOfBoxes(const std::vector<TestBox>& boxes);
 
 // Of up to 3 x 3 x 3 boxes of two units, some of them divided into eight, in one region or two, with nodes moved.
-EditMesh randomMesh(std::mt19937& random, double moved = 0.3);
+MeshEditor randomMesh(std::mt19937& random, double moved = 0.3);
 
-std::uint32_t nodeAt(const EditMesh& mesh, const Vector& place); // or None
-std::uint32_t wallOf(const EditMesh& mesh, std::uint32_t cell, std::int32_t wall);
-std::uint32_t faceBetween(const EditMesh& mesh, std::uint32_t a, std::uint32_t b);
-std::size_t countCells(const EditMesh& mesh);
-std::size_t countFaces(const EditMesh& mesh);
+std::uint32_t nodeAt(const MeshView& mesh, const Vector& place); // or None
+std::uint32_t wallOf(const MeshView& mesh, std::uint32_t cell, std::int32_t wall);
+std::uint32_t faceBetween(const MeshView& mesh, std::uint32_t a, std::uint32_t b);
+std::size_t countCells(const MeshView& mesh);
+std::size_t countFaces(const MeshView& mesh);
 
 // Of the fans of triangles about the means of its faces' corners.
-double volumeOf(const EditMesh& mesh, std::uint32_t cell);
-double volumeOf(const EditMesh& mesh);
-double volumeBehindWalls(const EditMesh& mesh);
-double sumOfCosts(const EditMesh& mesh);
+double volumeOf(const MeshView& mesh, std::uint32_t cell);
+double volumeOf(const MeshView& mesh);
+double volumeBehindWalls(const MeshView& mesh);
+double sumOfCosts(const MeshView& mesh);
 
 // The first thing wrong with the mesh, or nothing: each directed edge of a cell's faces once, with its reverse once; its
 // faces connected over edges; faces, cells and nodes know each other; no two faces alike; volumes positive; walls where
 // regions meet, and nowhere else inside.
-std::string faultOf(const EditMesh& mesh);
+std::string faultOf(const MeshEditor& mesh);
 
 // The first difference between two meshes, to the bit, with where lists lie in the arena, or nothing.
-std::string differenceOf(const EditMesh& mesh, const EditMesh& other);
+std::string differenceOf(const MeshEditor& mesh, const MeshEditor& other);
 
 }

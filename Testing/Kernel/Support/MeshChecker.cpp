@@ -290,7 +290,7 @@ private:
   }
 
   // Planes that divide boxes are levels, and step past walls in single precision, and past such as are tangent to them by a
-  // part of a box (PlanesAside.h).
+  // part of a box (PlanePerturbation.h).
   static constexpr Real Aside = 4e-6; // of a box between meshlines
 
   Real planeRounding(int axis) const

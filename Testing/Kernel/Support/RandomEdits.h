@@ -12,7 +12,7 @@ namespace cartesian
 class RandomEdits
 {
 public:
-  RandomEdits(EditMesh& mesh, std::mt19937& random)
+  RandomEdits(MeshEditor& mesh, std::mt19937& random)
     : mesh_(mesh)
     , random_(random)
   {
@@ -70,7 +70,8 @@ private:
   Vector near(std::uint32_t n)
   {
     const EditNode& node = mesh_.node(n);
-    return onLattice(mesh_, plus(node.at, scaled({ part(), part(), part() }, 0.2)), node.held);
+    return onLattice(
+      mesh_, plus(node.at, scaled({ part(), part(), part() }, 0.2)), node.constrainedAxes);
   }
 
   bool cut(std::uint32_t c)
@@ -81,7 +82,7 @@ private:
     return cutCell(mesh_, c, { through, normal, 0.03 * mesh_.cell(c).edge }, parts);
   }
 
-  EditMesh& mesh_;
+  MeshEditor& mesh_;
   std::mt19937& random_;
 };
 

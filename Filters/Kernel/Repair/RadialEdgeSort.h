@@ -12,16 +12,16 @@
 namespace cartesian
 {
 
-class EdgeFan
+class RadialEdgeSort
 {
 public:
   // `vertices`: all places, by number.
-  explicit EdgeFan(const std::vector<Point>& vertices)
+  explicit RadialEdgeSort(const std::vector<Point>& vertices)
     : vertices_(vertices)
   {
   }
 
-  struct Blade
+  struct IncidentTriangle
   {
     std::uint32_t triangle;
     std::uint32_t apex;
@@ -60,15 +60,16 @@ private:
   void sort()
   {
     const std::uint32_t first = blades_.front().apex;
-    for (Blade& blade : blades_)
+    for (IncidentTriangle& blade : blades_)
     {
       const int turn = turnTo(first, blade.apex);
       blade.half = turn > 0 ? 1 : (turn < 0 ? 3 : (isAlong(first, blade.apex) ? 0 : 2));
     }
-    std::sort(blades_.begin(), blades_.end(), [&](const Blade& a, const Blade& b) {
-      const int turn = a.half != b.half ? b.half - a.half : turnTo(a.apex, b.apex);
-      return turn != 0 ? turn > 0 : a.triangle < b.triangle;
-    });
+    std::sort(
+      blades_.begin(), blades_.end(), [&](const IncidentTriangle& a, const IncidentTriangle& b) {
+        const int turn = a.half != b.half ? b.half - a.half : turnTo(a.apex, b.apex);
+        return turn != 0 ? turn > 0 : a.triangle < b.triangle;
+      });
   }
 
   // 1 if the half plane of apex b is reached from that of a by less than half a turn to the left, seen against the
@@ -97,7 +98,7 @@ private:
   const std::vector<Point>& vertices_;
   std::uint32_t lower_ = 0;
   std::uint32_t upper_ = 0;
-  std::vector<Blade> blades_;
+  std::vector<IncidentTriangle> blades_;
 };
 
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Editing/WallRing.h"
+#include "Editing/NearWallSelection.h"
 
 #include "Base/Sorting.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Boxes/PlanesAside.h"
+#include "Boxes/PlanePerturbation.h"
 
 #include "Support/Pipeline.h"
 
@@ -130,24 +130,24 @@ Soup cylinderInTube(double radius, int axis, double size, const Vector& by)
 
 }
 
-TEST(PlanesAside, APlaneUnderARoofStepsAboveIt)
+TEST(PlanePerturbation, APlaneUnderARoofStepsAboveIt)
 {
   EXPECT_EQ(meshlineBeside(11, 51, 50), 52U); // the domain ends at 51
 }
 
-TEST(PlanesAside, APlaneOverAFloorStepsBelowIt)
+TEST(PlanePerturbation, APlaneOverAFloorStepsBelowIt)
 {
   EXPECT_EQ(meshlineBeside(51, 101, 52), 50U); // the domain begins at 51
 }
 
-TEST(PlanesAside, PlanesThatLeaveNoFlangeStay)
+TEST(PlanePerturbation, PlanesThatLeaveNoFlangeStay)
 {
   EXPECT_EQ(meshlineBeside(11, 51, 52), 52U);
   EXPECT_EQ(meshlineBeside(51, 101, 50), 50U);
   EXPECT_EQ(meshlineBeside(11, 51, 30), 30U);
 }
 
-TEST(PlanesAside, APlaneThatDividesABoxStepsToo)
+TEST(PlanePerturbation, APlaneThatDividesABoxStepsToo)
 {
   EXPECT_EQ(halfBeside(11, 6401), 6402U);
   EXPECT_EQ(halfBeside(6399, 10001), 6398U);
@@ -156,7 +156,7 @@ TEST(PlanesAside, APlaneThatDividesABoxStepsToo)
 }
 
 // The wall runs along the first of the planes that divide the space between two meshlines into 512.
-TEST(PlanesAside, PlanesOfDeepBoxesStepToo)
+TEST(PlanePerturbation, PlanesOfDeepBoxesStepToo)
 {
   constexpr std::int64_t Step = FinePerBox / 512;
   for (const int depth : { 0, 6, 8, 9, 12 })
@@ -169,7 +169,7 @@ TEST(PlanesAside, PlanesOfDeepBoxesStepToo)
 }
 
 // The clearance of points is a level here; planes keep two more, for rounding.
-TEST(PlanesAside, PlanesKeepOffRidgesAndPits)
+TEST(PlanePerturbation, PlanesKeepOffRidgesAndPits)
 {
   EXPECT_EQ(halfBesideGables({ { 6401, 6391, 11 } }), 6404U); // the domain ends at 6401
   EXPECT_EQ(halfBesideGables({ { 6399, 6391, 11 } }), 6402U);
@@ -177,7 +177,7 @@ TEST(PlanesAside, PlanesKeepOffRidgesAndPits)
   EXPECT_EQ(halfBesideGables({ { 6401, 6411, 10001 } }), 6398U);
 }
 
-TEST(PlanesAside, PlanesThatAreTangentToNothingStay)
+TEST(PlanePerturbation, PlanesThatAreTangentToNothingStay)
 {
   EXPECT_EQ(halfBesideGables({ { 6405, 6391, 11 } }), 6400U); // the cap is thick enough
   EXPECT_EQ(halfBesideGables({ { 6395, 6391, 11 } }), 6400U); // the plane is far enough above it
@@ -186,7 +186,7 @@ TEST(PlanesAside, PlanesThatAreTangentToNothingStay)
 }
 
 // Ridge on ridge: one of them is cut, but not thinner than the distance that points keep.
-TEST(PlanesAside, PlanesKeepOffRidgesThatTouch)
+TEST(PlanePerturbation, PlanesKeepOffRidgesThatTouch)
 {
   for (const double level : { 6397, 6399, 6401, 6403 })
   {
@@ -201,7 +201,7 @@ constexpr double ClearanceInBoxes = 1.0 / (1 << 19);
 
 // The cylinder is tangent to planes of the grid along four lines: at round numbers, in this place too, it was cut there
 // by 1e-6 of a box, and as little stayed on the other side.
-TEST(PlanesAside, CylindersThatTouchPlanesLeaveNoSlivers)
+TEST(PlanePerturbation, CylindersThatTouchPlanesLeaveNoSlivers)
 {
   for (const double off : { 0.0, 1e-7, -1e-7 })
   {
@@ -222,7 +222,7 @@ TEST(PlanesAside, CylindersThatTouchPlanesLeaveNoSlivers)
 }
 
 // 0.6 in single precision is 2.4e-8 more: a flange of 25 levels here.
-TEST(PlanesAside, WallsInSinglePrecisionRunAlongPlanesInDouble)
+TEST(PlanePerturbation, WallsInSinglePrecisionRunAlongPlanesInDouble)
 {
   const double top = float(0.6);
   Soup soup = box({ 0, 0, 0 }, { 1, 1, 1 });

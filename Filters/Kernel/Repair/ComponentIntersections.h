@@ -15,11 +15,11 @@
 namespace cartesian
 {
 
-class SheetCrossings
+class ComponentIntersections
 {
 public:
   // `pairs`: of triangles that cross. `volume`: of each sheet, with all triangles facing as its first.
-  SheetCrossings(const Surface& surface, const Sheets& sheets,
+  ComponentIntersections(const Surface& surface, const Sheets& sheets,
     const std::vector<TrianglePair>& pairs, const std::vector<double>& volume);
 
   bool cross(std::uint32_t a, std::uint32_t b) const;

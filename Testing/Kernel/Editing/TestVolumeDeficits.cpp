@@ -1,6 +1,6 @@
 // What walls owe is passed on in full, however many an edit changes; how far they move is known or refused.
-#include "Editing/Debts.h"
 #include "Editing/EditMeasures.h"
+#include "Editing/VolumeDeficits.h"
 #include "Editing/WallEdges.h"
 #include "Support/EditMeshes.h"
 
@@ -17,12 +17,12 @@ namespace
 constexpr double Rise = 1.0 / 64;
 
 // The upper walls of n x n boxes rise in one edit.
-EditMesh risen(int n)
+MeshEditor risen(int n)
 {
-  EditMesh mesh = meshOfBoxes(blockOfBoxes(n, n, 1));
+  MeshEditor mesh = meshOfBoxes(blockOfBoxes(n, n, 1));
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
   {
-    mesh.rawFace(f).debt = mesh.isWall(f) ? 0.001 * (f % 7) : 0;
+    mesh.rawFace(f).volumeDeficit = mesh.isWall(f) ? 0.001 * (f % 7) : 0;
   }
   static_cast<void>(mesh.mark());
   for (std::uint32_t node = 0; node < mesh.nodeCount(); ++node)
@@ -32,36 +32,36 @@ EditMesh risen(int n)
       mesh.changeNode(node).at[2] += Rise;
       for (const std::uint32_t f : mesh.facesAround(node))
       {
-        mesh.unsettled.faces.add(f);
+        mesh.dirty.faces.add(f);
       }
     }
   }
-  EXPECT_TRUE(measureUnsettled(mesh));
+  EXPECT_TRUE(measureDirty(mesh));
   return mesh;
 }
 
-double sumOfDebts(const EditMesh& mesh)
+double sumOfDeficits(const MeshEditor& mesh)
 {
   double sum = 0;
   for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
   {
-    sum += mesh.isWall(f) ? mesh.signOf(f) * mesh.face(f).debt : 0;
+    sum += mesh.isWall(f) ? mesh.signOf(f) * mesh.face(f).volumeDeficit : 0;
   }
   return sum;
 }
 
 }
 
-TEST(Debts, OfManyWallsArePassedOnInFull)
+TEST(VolumeDeficits, OfManyWallsArePassedOnInFull)
 {
   for (const int n : { 3, 25 })
   {
     SCOPED_TRACE(n);
-    EditMesh mesh = risen(n);
-    const double before = sumOfDebts(mesh);
-    passOnDebts(mesh);
+    MeshEditor mesh = risen(n);
+    const double before = sumOfDeficits(mesh);
+    passOnDeficits(mesh);
     mesh.commit();
-    EXPECT_NEAR(sumOfDebts(mesh), before - n * n * Rise, 1e-9);
+    EXPECT_NEAR(sumOfDeficits(mesh), before - n * n * Rise, 1e-9);
   }
 }
 
@@ -69,9 +69,9 @@ TEST(WallEdges, DistancesOfTooManyWallsAreInfinite)
 {
   for (const int n : { 3, 20 })
   {
-    EXPECT_NEAR(distanceOfWalls(risen(n), EditMesh::Mark{}), Rise, 1e-12);
+    EXPECT_NEAR(distanceOfWalls(risen(n), MeshEditor::Mark{}), Rise, 1e-12);
   }
-  EXPECT_TRUE(std::isinf(distanceOfWalls(risen(40), EditMesh::Mark{})));
+  EXPECT_TRUE(std::isinf(distanceOfWalls(risen(40), MeshEditor::Mark{})));
 }
 
 }

@@ -2,14 +2,14 @@
 // What walls owe of the volume that the surface encloses: they pass it on to those that edits put in their place.
 #pragma once
 
-#include "Editing/EditMesh.h"
+#include "Editing/MeshEditor.h"
 
 namespace cartesian
 {
 
 // Of the walls that changed since the last commit: what they owed, what those there now would owe (signed, in volume), and
 // the area of these, and how many changed.
-struct ChangedDebt
+struct ChangedDeficit
 {
   double before = 0;
   double after = 0;
@@ -18,9 +18,9 @@ struct ChangedDebt
 };
 
 // `ofWalls`: or of faces between regions.
-ChangedDebt changedDebt(const EditMesh& mesh, bool ofWalls);
+ChangedDeficit changedDeficit(const MeshEditor& mesh, bool ofWalls);
 
 // After edits are made and before they are committed.
-void passOnDebts(EditMesh& mesh);
+void passOnDeficits(MeshEditor& mesh);
 
 }

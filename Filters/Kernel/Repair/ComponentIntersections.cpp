@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Repair/SheetCrossings.h"
+#include "Repair/ComponentIntersections.h"
 
 #include "Lattice/Vector.h"
 #include "Repair/Snapping.h"
@@ -44,7 +44,7 @@ std::array<double, 2> reachOf(const Corners& triangle, const Corners& other, dou
 
 }
 
-SheetCrossings::SheetCrossings(const Surface& surface, const Sheets& sheets,
+ComponentIntersections::ComponentIntersections(const Surface& surface, const Sheets& sheets,
   const std::vector<TrianglePair>& pairs, const std::vector<double>& volume)
 {
   const double snap = placingOf(surface).snap;
@@ -70,20 +70,20 @@ SheetCrossings::SheetCrossings(const Surface& surface, const Sheets& sheets,
   }
 }
 
-std::uint8_t SheetCrossings::sidesOf(std::uint32_t a, std::uint32_t b) const
+std::uint8_t ComponentIntersections::sidesOf(std::uint32_t a, std::uint32_t b) const
 {
   const auto found = sides_.find({ a, b });
   return found == sides_.end() ? 0 : found->second;
 }
 
-bool SheetCrossings::cross(std::uint32_t a, std::uint32_t b) const
+bool ComponentIntersections::cross(std::uint32_t a, std::uint32_t b) const
 {
   const std::uint8_t ofA = sidesOf(a, b);
   const std::uint8_t ofB = sidesOf(b, a);
   return ofA == Both || ofB == Both || (ofA & ofB & Inside) != 0;
 }
 
-bool SheetCrossings::meet(std::uint32_t a, std::uint32_t b) const
+bool ComponentIntersections::meet(std::uint32_t a, std::uint32_t b) const
 {
   return sides_.count({ a, b }) != 0;
 }

@@ -22,14 +22,14 @@ enum class Known : std::uint8_t
 };
 
 // Is asked by the numbers of triangles in the view (Surface::given), so it holds however the surface is repaired.
-class KnownEdges
+class FeatureEdgeTags
 {
 public:
   using Line = std::array<std::uint32_t, 2>; // vertices
 
   // `surface`: the triangles of the view in the order of onLattice(). Of triangles at the same place, either all know
   // their edges or none. `sharp`: in any order; those that are no edges of triangles do not count.
-  KnownEdges(
+  FeatureEdgeTags(
     const SurfaceView& view, const Surface& surface, std::vector<Line> sharp, Execution& execution);
 
   // Of the edge that two triangles of the view share. If only one of them knows its edges, a smooth one is unknown;

@@ -16,7 +16,7 @@ namespace cartesian
 // All sheets that are not closed, as if they were one.
 constexpr std::uint32_t AllOpenSheets = ~0u;
 
-struct SheetVotes
+struct RayParityVotes
 {
   struct OfFacing
   {
@@ -40,6 +40,6 @@ struct SheetVotes
     nesting; // of a closed sheet in another, or in AllOpenSheets
 };
 
-SheetVotes voteOnSheets(const Surface& surface, const Sheets& sheets, Execution& execution);
+RayParityVotes voteOnSheets(const Surface& surface, const Sheets& sheets, Execution& execution);
 
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Repair/SheetVotes.h"
+#include "Repair/RayParityVotes.h"
 
 #include "Repair/LineGrid.h"
 #include "Repair/Snapping.h"
@@ -42,7 +42,7 @@ public:
     votes_.samples.resize(surface.triangles.size());
   }
 
-  void vote(int along, std::vector<VotingLine>& lines, Execution& execution)
+  void vote(int along, std::vector<SampleRay>& lines, Execution& execution)
   {
     if (lines.empty())
     {
@@ -71,7 +71,7 @@ public:
     }
   }
 
-  SheetVotes takeVotes() { return std::move(votes_); }
+  RayParityVotes takeVotes() { return std::move(votes_); }
 
 private:
   // The crossings of one line, which was laid through a sheet.
@@ -104,7 +104,7 @@ private:
     }
   }
 
-  void addFacing(const VotingCrossing& vote, bool entering, SheetVotes::OfFacing& facing) const
+  void addFacing(const VotingCrossing& vote, bool entering, RayParityVotes::OfFacing& facing) const
   {
     const bool outward = entering != vote.up;
     ++(outward != sheets_.turned(vote.triangle) ? facing.outward : facing.inward);
@@ -185,15 +185,15 @@ private:
   std::vector<std::uint32_t> entered_; // those
   std::vector<std::uint32_t> close_;
   std::vector<std::uint32_t> around_;
-  SheetVotes votes_;
+  RayParityVotes votes_;
 };
 
 }
 
-SheetVotes voteOnSheets(const Surface& surface, const Sheets& sheets, Execution& execution)
+RayParityVotes voteOnSheets(const Surface& surface, const Sheets& sheets, Execution& execution)
 {
   VoteCounter counter(surface, sheets);
-  std::array<std::vector<VotingLine>, 3> lines = findVotingLines(surface, sheets, execution);
+  std::array<std::vector<SampleRay>, 3> lines = findSampleRays(surface, sheets, execution);
   for (int along = 0; along < 3; ++along)
   {
     counter.vote(along, lines[static_cast<std::size_t>(along)], execution);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Repair/VotingLines.h"
+#include "Repair/SampleRays.h"
 
 #include "Base/Sorting.h"
 #include "Surface/LineCrossings.h"
@@ -38,7 +38,7 @@ Level evenNear(double level)
 
 // Takes the point midway between the triangle's centroid and one of its corners; `line` becomes the
 // line of even levels nearest to it. False if that line misses the triangle.
-bool findLine(const Corners& c, const RowAxes& axes, std::size_t corner, VotingLine& line)
+bool findLine(const Corners& c, const RowAxes& axes, std::size_t corner, SampleRay& line)
 {
   const auto weighted = [&](int axis) {
     return (double(c[0][axis]) + c[1][axis] + c[2][axis] + 3.0 * c[corner][axis]) / 6;
@@ -95,10 +95,10 @@ public:
     }
   }
 
-  std::array<std::vector<VotingLine>, 3> takeLines() { return std::move(lines_); }
+  std::array<std::vector<SampleRay>, 3> takeLines() { return std::move(lines_); }
 
 private:
-  using Lines = std::array<std::vector<VotingLine>, 3>;
+  using Lines = std::array<std::vector<SampleRay>, 3>;
 
   struct Projection
   {
@@ -165,7 +165,7 @@ private:
     {
       for (std::size_t corner = 0; best_[*t].area > 0 && corner < 3; ++corner)
       {
-        VotingLine line{};
+        SampleRay line{};
         const auto axis = static_cast<std::size_t>(best_[*t].axis);
         if (findLine(surface_.corners(*t), RowsAlong[axis], corner, line))
         {
@@ -188,12 +188,12 @@ private:
 
   const Surface& surface_;
   std::vector<Projection> best_; // of each triangle: its largest projection
-  std::array<std::vector<VotingLine>, 3> lines_;
+  std::array<std::vector<SampleRay>, 3> lines_;
 };
 
 }
 
-std::array<std::vector<VotingLine>, 3> findVotingLines(
+std::array<std::vector<SampleRay>, 3> findSampleRays(
   const Surface& surface, const Sheets& sheets, Execution& execution)
 {
   return LineFinder(surface, sheets, execution).takeLines();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Boxes/PlanesAside.h"
+#include "Boxes/PlanePerturbation.h"
 
 #include "Base/Sorting.h"
 #include "Boxes/Peaks.h"

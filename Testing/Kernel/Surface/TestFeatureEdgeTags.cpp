@@ -170,7 +170,7 @@ void expectSame(const Features& a, const Features& b)
 
 }
 
-TEST(KnownEdges, OfACubeAreThoseOfItsAngles)
+TEST(FeatureEdgeTags, OfACubeAreThoseOfItsAngles)
 {
   Execution execution;
   expectSame(findFeatures(surfaceOf(knowingCube()), 180, execution),
@@ -178,7 +178,7 @@ TEST(KnownEdges, OfACubeAreThoseOfItsAngles)
   EXPECT_EQ(sharpSides(cube(), 180), 0u);
 }
 
-TEST(KnownEdges, AreNoOthers)
+TEST(FeatureEdgeTags, AreNoOthers)
 {
   EXPECT_EQ(sharpSides(cylinder(), 20), 2 * 36u);
   const Surface known = surfaceOf(knowing(cylinder(), isOfARim));
@@ -192,7 +192,7 @@ TEST(KnownEdges, AreNoOthers)
   }
 }
 
-TEST(KnownEdges, MayBeShallow)
+TEST(FeatureEdgeTags, MayBeShallow)
 {
   const Soup known =
     knowing(ridge(), [](const Vector& a, const Vector& b) { return isOfRidge(a, b); });
@@ -200,7 +200,7 @@ TEST(KnownEdges, MayBeShallow)
   EXPECT_EQ(sharpSides(ridge(), 30), 2 * 14u); // all others
 }
 
-TEST(KnownEdges, DependOnNoOrder)
+TEST(FeatureEdgeTags, DependOnNoOrder)
 {
   const Soup soup = knowing(cylinder(), isOfARim);
   const std::multiset<Edge> expected = sharpEdges(surfaceOf(soup), 20);
@@ -213,7 +213,7 @@ TEST(KnownEdges, DependOnNoOrder)
   }
 }
 
-TEST(KnownEdges, AreFoundByTheirPlaces)
+TEST(FeatureEdgeTags, AreFoundByTheirPlaces)
 {
   // Lines with points of their own, as other readers make them, between others that are no edges.
   Soup soup = knowingCube();
@@ -239,7 +239,7 @@ TEST(KnownEdges, AreFoundByTheirPlaces)
   EXPECT_EQ(sharpEdges(surfaceOf(soup), 180), sharpEdges(surfaceOf(knowingCube()), 180));
 }
 
-TEST(KnownEdges, LeaveOpenEdgesSharp)
+TEST(FeatureEdgeTags, LeaveOpenEdgesSharp)
 {
   Soup soup = knowing(cube(), [](const Vector&, const Vector&) { return false; });
   soup.triangles.pop_back();
@@ -250,7 +250,7 @@ TEST(KnownEdges, LeaveOpenEdgesSharp)
   EXPECT_EQ(sharpEdges(surface, 0).size(), 3u);
 }
 
-TEST(KnownEdges, OfOneSideAloneDoNotSmooth)
+TEST(FeatureEdgeTags, OfOneSideAloneDoNotSmooth)
 {
   // The lid knows its edges, the rest does not: between them, and there only, either is enough.
   Soup soup = cube();
@@ -266,7 +266,7 @@ TEST(KnownEdges, OfOneSideAloneDoNotSmooth)
   EXPECT_EQ(sharpSides(soup, 180), 2 * 4u);
 }
 
-TEST(KnownEdges, OfRegionsHoldWhereTheyTouch)
+TEST(FeatureEdgeTags, OfRegionsHoldWhereTheyTouch)
 {
   // Two cylinders share a cap. Without knowledge, 20 degrees would also find their 24 sides.
   const Soup low = knowing(cylinder(), isOfARim);
@@ -278,7 +278,7 @@ TEST(KnownEdges, OfRegionsHoldWhereTheyTouch)
   EXPECT_EQ(sharp, sharpEdges(surfaceOf(Soup().addRegion(high).addRegion(low)), 20));
 }
 
-TEST(KnownEdges, OfOneRegionAreThoseOfTheWallsThatItShares)
+TEST(FeatureEdgeTags, OfOneRegionAreThoseOfTheWallsThatItShares)
 {
   // A ridge fits into the other region's block, whose edges nobody knows: its wall there, too, is sharp.
   const Soup known =
@@ -298,7 +298,7 @@ TEST(KnownEdges, OfOneRegionAreThoseOfTheWallsThatItShares)
   }
 }
 
-TEST(KnownEdges, HoldWhereBodiesDivideTriangles)
+TEST(FeatureEdgeTags, HoldWhereBodiesDivideTriangles)
 {
   // A bar through the cylinder: what it leaves of the sides stays smooth, and they are sharp against each other.
   Soup soup = knowing(cylinder(), isOfARim);
@@ -322,7 +322,7 @@ TEST(KnownEdges, HoldWhereBodiesDivideTriangles)
   EXPECT_EQ(upright, 0u);
 }
 
-TEST(KnownEdges, DivideSurfacesIntoPatchesButNotByAnAngle)
+TEST(FeatureEdgeTags, DivideSurfacesIntoPatchesButNotByAnAngle)
 {
   Execution execution;
   const auto patches = [&](const Soup& soup, SplitBy by) {
@@ -335,7 +335,7 @@ TEST(KnownEdges, DivideSurfacesIntoPatchesButNotByAnAngle)
   EXPECT_EQ(patches(known.scaled(asADuct), SplitBy::FlatCaps), 3u);
 }
 
-TEST(KnownEdges, StayInTheMesh)
+TEST(FeatureEdgeTags, StayInTheMesh)
 {
   // Where the ridge passes from box to box it has a node; if it is not known, most of it is merged with what is beside it.
   const auto nodesOnRidge = [](const Soup& soup) {

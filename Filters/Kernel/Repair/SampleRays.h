@@ -9,7 +9,7 @@ namespace cartesian
 
 // A line along one axis through a triangle. Lines are ordered by importance: when there are too
 // many, the last ones are dropped.
-struct VotingLine
+struct SampleRay
 {
   Level middle;
   Level outer;
@@ -18,7 +18,7 @@ struct VotingLine
   std::uint32_t sheet;                   // that the triangle is of
   std::array<std::uint32_t, 3> triangle; // its vertices, sorted
 
-  bool operator<(const VotingLine& other) const
+  bool operator<(const SampleRay& other) const
   {
     return rank != other.rank ? rank < other.rank
                               : std::make_tuple(other.area, triangle, middle, outer) <
@@ -27,7 +27,7 @@ struct VotingLine
 };
 
 // The lines along x, y and z.
-std::array<std::vector<VotingLine>, 3> findVotingLines(
+std::array<std::vector<SampleRay>, 3> findSampleRays(
   const Surface& surface, const Sheets& sheets, Execution& execution);
 
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Surface/KnownEdges.h"
+#include "Surface/FeatureEdgeTags.h"
 
 #include "Surface/Surface.h"
 
@@ -14,7 +14,7 @@ namespace
 constexpr std::size_t TrianglesAChunk = 1 << 12;
 constexpr std::uint8_t Knows = 8;
 
-KnownEdges::Line lineOf(const std::array<std::uint32_t, 3>& triangle, std::size_t edge)
+FeatureEdgeTags::Line lineOf(const std::array<std::uint32_t, 3>& triangle, std::size_t edge)
 {
   const auto [low, high] = std::minmax(triangle[edge], triangle[(edge + 1) % 3]);
   return { low, high };
@@ -46,7 +46,7 @@ std::vector<std::uint8_t> thoseThatKnow(const SurfaceView& view, const Surface& 
 
 }
 
-KnownEdges::KnownEdges(
+FeatureEdgeTags::FeatureEdgeTags(
   const SurfaceView& view, const Surface& surface, std::vector<Line> sharp, Execution& execution)
   : vertices_(surface.triangles.size())
   , bits_(surface.triangles.size())
@@ -74,7 +74,7 @@ KnownEdges::KnownEdges(
     });
 }
 
-Known KnownEdges::between(std::uint32_t a, std::uint32_t b) const
+Known FeatureEdgeTags::between(std::uint32_t a, std::uint32_t b) const
 {
   if (std::max(a, b) >= vertices_.size() || ((bits_[a] | bits_[b]) & Knows) == 0 ||
     areAtOnePlace(vertices_[a], vertices_[b]))
