@@ -61,7 +61,7 @@ struct vtkCartesianMesher::Task
   cartesian::Options options;     // all but refinement
   cartesian::PreparedSurface prepared;
   std::unique_ptr<cartesian::Decomposition> decomposition;
-  std::vector<cartesian::Layers> pieces;
+  std::vector<cartesian::SlabRange> pieces;
   std::vector<cartesian::Id> cells; // of each piece made so far
   std::vector<cartesian::Id> points;
 };
@@ -74,7 +74,7 @@ struct vtkCartesianMesher::WholeMesh
   vtkNew<vtkPolyData> boundary;
   vtkNew<vtkPolyData> defects;
   vtkNew<vtkPolyData> interfaces;
-  std::vector<cartesian::Layers> pieces;
+  std::vector<cartesian::SlabRange> pieces;
 };
 
 // One piece, before it is written.

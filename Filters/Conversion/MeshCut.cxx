@@ -35,7 +35,7 @@ vtkIdTypeArray* idsOf(vtkFieldData* data, const char* name)
 class Cutter
 {
 public:
-  Cutter(const MeshOutputs& whole, const std::vector<Layers>& pieces, std::size_t number)
+  Cutter(const MeshOutputs& whole, const std::vector<SlabRange>& pieces, std::size_t number)
     : whole_(whole)
     , own_(number)
     , pieceOf_(static_cast<std::size_t>(whole.mesh->GetNumberOfCells()))
@@ -46,7 +46,7 @@ public:
     {
       const auto k = static_cast<std::uint32_t>(box->GetComponent(cell, 2));
       const auto at = std::find_if(
-        pieces.begin(), pieces.end(), [&](const Layers& piece) { return piece.contains(k); });
+        pieces.begin(), pieces.end(), [&](const SlabRange& piece) { return piece.contains(k); });
       pieceOf_[static_cast<std::size_t>(ids->GetValue(cell))] =
         static_cast<std::size_t>(at - pieces.begin());
     }
@@ -200,7 +200,7 @@ void clearSums(vtkFieldData* fields)
 
 }
 
-void cutPiece(const MeshOutputs& whole, const std::vector<Layers>& pieces, std::size_t number,
+void cutPiece(const MeshOutputs& whole, const std::vector<SlabRange>& pieces, std::size_t number,
   const Processes& processes, const MeshOutputs& piece)
 {
   const Cutter cutter(whole, pieces, number);

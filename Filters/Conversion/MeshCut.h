@@ -23,7 +23,7 @@ struct MeshOutputs
 // as setGlobalIds does. `pieces`: ranges of layers of global boxes. Of
 // field data, what adds up over the pieces of one process is the whole mesh's in the first, and 0 in others; of
 // several processes all have it.
-void cutPiece(const MeshOutputs& whole, const std::vector<Layers>& pieces, std::size_t number,
+void cutPiece(const MeshOutputs& whole, const std::vector<SlabRange>& pieces, std::size_t number,
   const Processes& processes, const MeshOutputs& piece);
 
 }

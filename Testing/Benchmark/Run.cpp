@@ -311,7 +311,7 @@ Estimates estimate(
   const Options options = optionsOf(cellSize, depth, method);
   const PreparedSurface prepared = prepareSurface(surface.view(), options, execution);
   const auto decomposition = decompose(prepared, options, execution);
-  const Layers all = decomposition->allLayers();
+  const SlabRange all = decomposition->allLayers();
   const Boxes boxes = decomposition->boxes(all, execution);
   const auto bytes = [&](const std::vector<MeshEstimate>& ofLayers) {
     return decomposition->together(ofLayers, all).bytes(prepared.memoryLimit);

@@ -50,7 +50,7 @@ class BoxGenerator
 {
 public:
   BoxGenerator(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
-    const Refinement& refinement, const GlobalStatuses& statuses, Layers core, Layers layers,
+    const Refinement& refinement, const GlobalStatuses& statuses, SlabRange core, SlabRange layers,
     Execution& execution)
     : surface_(surface)
     , planes_(planes)
@@ -68,7 +68,7 @@ public:
   }
 
   // `kept`: the layers that stay once the boxes are balanced.
-  Boxes generate(Layers kept)
+  Boxes generate(SlabRange kept)
   {
     boxes_.kept = kept;
     listGlobals();
@@ -376,7 +376,7 @@ private:
   }
 
   // Returns how many global boxes before the others are left out.
-  std::size_t leaveOutAllBut(Layers kept)
+  std::size_t leaveOutAllBut(SlabRange kept)
   {
     const std::size_t first = boxes_.rowStart[boxes_.row(0, kept.begin)];
     const std::size_t end = boxes_.rowStart[boxes_.row(0, kept.end)];
@@ -536,7 +536,7 @@ private:
   const Shoeboxes& shoeboxes_;
   const Refinement& refinement_;
   const GlobalStatuses& statuses_;
-  Layers layers_;
+  SlabRange layers_;
   Execution& execution_;
   Boxes boxes_;
   RawVector<BoxStatus> statusOf_; // of global boxes
@@ -545,11 +545,11 @@ private:
 }
 
 Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
-  const Refinement& refinement, const GlobalStatuses& statuses, Layers core, Layers kept,
+  const Refinement& refinement, const GlobalStatuses& statuses, SlabRange core, SlabRange kept,
   Execution& execution)
 {
   const auto end = static_cast<std::uint32_t>(planes[2].size() - 1);
-  const Layers layers =
+  const SlabRange layers =
     kept.grown(balanceReach(refinement.deepest(), refinement.transitionLayers()), end);
   return BoxGenerator(surface, planes, shoeboxes, refinement, statuses, core, layers, execution)
     .generate(kept);

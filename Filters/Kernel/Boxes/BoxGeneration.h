@@ -20,7 +20,7 @@ namespace cartesian
 // depend on the others (Parts/Decomposition.h). Throws Error: BadParameter (a box is too thin to be divided),
 // TooManyBoxes (for 32 bits).
 Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
-  const Refinement& refinement, const GlobalStatuses& statuses, Layers core, Layers kept,
+  const Refinement& refinement, const GlobalStatuses& statuses, SlabRange core, SlabRange kept,
   Execution& execution);
 
 }

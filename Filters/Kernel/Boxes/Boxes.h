@@ -63,7 +63,7 @@ struct GlobalBox
 };
 
 // A range of layers of global boxes along z: K = begin to end - 1.
-struct Layers
+struct SlabRange
 {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
@@ -72,9 +72,9 @@ struct Layers
 
   // Extended by up to `by` layers on either side within the grid of `all` layers; an empty range
   // stays empty.
-  Layers grown(std::uint32_t by, std::uint32_t all) const
+  SlabRange grown(std::uint32_t by, std::uint32_t all) const
   {
-    return begin == end ? *this : Layers{ begin - std::min(begin, by), std::min(end + by, all) };
+    return begin == end ? *this : SlabRange{ begin - std::min(begin, by), std::min(end + by, all) };
   }
 };
 
@@ -84,8 +84,8 @@ struct Boxes
 {
   Lattice lattice;
   Meshlines planes;
-  Layers core; // the layers for which cells are made; all layers of a whole grid
-  Layers kept; // the layers that are here: the core and its halo
+  SlabRange core; // the layers for which cells are made; all layers of a whole grid
+  SlabRange kept; // the layers that are here: the core and its halo
   RawVector<GlobalBox>
     globals; // by rows along x (J + K * boxes along y), then by I; with a sentinel at the end
   std::vector<std::size_t> rowStart;  // first global box of each row, and the end
@@ -98,7 +98,7 @@ struct Boxes
   const GlobalBox& globalOf(const PackedBox& box) const { return globals[box.global]; }
   bool isCore(const PackedBox& box) const { return core.contains(globalOf(box).index[2]); }
 
-  Layers allLayers() const { return { 0, static_cast<std::uint32_t>(planes[2].size() - 1) }; }
+  SlabRange allLayers() const { return { 0, static_cast<std::uint32_t>(planes[2].size() - 1) }; }
 
   // The first box of a layer; of the one past the last, the number of boxes.
   std::uint32_t firstBoxOf(std::uint32_t layer) const

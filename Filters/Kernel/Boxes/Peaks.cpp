@@ -2,6 +2,7 @@
 #include "Boxes/Peaks.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Rings.h"
 #include "Base/Sorting.h"
 
 #include <algorithm>
@@ -220,7 +221,8 @@ std::vector<Around> trianglesAround(
         const Corners c = surface.corners(t);
         const Vector normal{ projectedArea(c, 0), projectedArea(c, 1), projectedArea(c, 2) };
         const std::int32_t wall = surface.boundary[t];
-        const std::array<std::uint32_t, 2> others = { corners[(i + 1) % 3], corners[(i + 2) % 3] };
+        const std::array<std::uint32_t, 2> others = { following(corners, i),
+          preceding(corners, i) };
         const auto number = static_cast<std::uint32_t>(t);
         list.push_back({ corners[i], surface.walls.behind(wall), number, others, normal });
         if (surface.walls.isInterface(wall))

@@ -7,7 +7,7 @@ namespace cartesian
 {
 
 std::array<CellKey, 2> cellsIn(
-  const Boxes& boxes, const Sides& sides, const WallMesh& wall, Layers layers)
+  const Boxes& boxes, const Sides& sides, const WallMesh& wall, SlabRange layers)
 {
   const auto firstOf = [&](std::uint32_t layer) {
     const auto& polyhedral = sides.polyhedral;

@@ -174,7 +174,7 @@ struct WallMesh
 
 // The cells of the boxes in these layers: begin and end.
 std::array<CellKey, 2> cellsIn(
-  const Boxes& boxes, const Sides& sides, const WallMesh& wall, Layers layers);
+  const Boxes& boxes, const Sides& sides, const WallMesh& wall, SlabRange layers);
 
 // What is on a side of a hexahedron (0: low x, 1: high x, low y, ...).
 struct BesideHexahedron

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/CellCut.h"
 
+#include "Base/Rings.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Editing/WallEdges.h"
 
@@ -140,7 +141,7 @@ private:
       {
         const Items ring = mesh_.cornersOf(f);
         const std::uint32_t a = ring[i];
-        const std::uint32_t b = ring[(i + 1) % ring.size()];
+        const std::uint32_t b = following(ring, i);
         if (sides_.at(a) * sides_.at(b) < 0)
         {
           visit(a, b);
@@ -200,7 +201,7 @@ private:
       for (std::size_t i = 0; i < ring.size(); ++i)
       {
         const std::uint32_t p = ring[i];
-        const std::uint32_t q = ring[(i + 1) % ring.size()];
+        const std::uint32_t q = following(ring, i);
         const bool isEdge = (p == a && q == b) || (p == b && q == a);
         if (!divided.add(p) || (isEdge && !divided.add(made)))
         {
@@ -246,7 +247,7 @@ private:
       const Items ring = mesh_.cornersOf(f);
       const std::size_t j = placeOf(ring, b);
       if (mesh_.isSurface(f) && j < ring.size() &&
-        (ring[(j + 1) % ring.size()] == a || ring[(j + ring.size() - 1) % ring.size()] == a))
+        (following(ring, j) == a || preceding(ring, j) == a))
       {
         walls.offer(f); // it matters whether they are two
       }
@@ -372,7 +373,7 @@ private:
       for (std::size_t k = 0; k < ring.size(); ++k)
       {
         const std::uint32_t p = ring[k];
-        const std::uint32_t q = ring[(k + 1) % ring.size()];
+        const std::uint32_t q = following(ring, k);
         if (!edges_.add(isOutward ? Edge{ p, q, i } : Edge{ q, p, i }))
         {
           return false;
@@ -550,7 +551,7 @@ private:
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const Vector p = minus(mesh_.node(ring[i]).at, plane_.through);
-      const Vector q = minus(mesh_.node(ring[(i + 1) % ring.size()]).at, plane_.through);
+      const Vector q = minus(mesh_.node(following(ring, i)).at, plane_.through);
       area += dot(cross(p, q), plane_.normal);
     }
     return area;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/EditDecision.h"
 
+#include "Base/Rings.h"
 #include "Editing/CellClosure.h"
 #include "Editing/EdgeArea.h"
 #include "Editing/EditMeasures.h"
@@ -228,9 +229,9 @@ bool mayLeaveEdge(const MeshView& mesh, const EditRules& rules, std::uint32_t u,
       worst = std::max(worst, distanceToSegment(mesh.node(u).at, at, mesh.node(end).at) / edge);
     }
   }
-  charge += 2 * chargeOfDistance(worst, rules.spec) + (ends.size() > 2 ? ChargeOfCorner : 0) +
-    rules.spec.volume * areaLost(mesh, u, v, at) / (edge * edge);
-  return worst <= rules.spec.mostMoved;
+  charge += 2 * chargeOfDistance(worst, rules.objective) + (ends.size() > 2 ? ChargeOfCorner : 0) +
+    rules.objective.volume * areaLost(mesh, u, v, at) / (edge * edge);
+  return worst <= rules.objective.mostMoved;
 }
 
 // --- what walls that must not change may still lose
@@ -264,8 +265,7 @@ bool staysInPlane(const MeshView& mesh, std::uint32_t f, std::uint32_t n, const 
   const Vector normal = unit(mesh.face(f).area);
   const Items ring = mesh.cornersOf(f);
   const std::size_t i = placeOf(ring, n);
-  const Vector across = minus(mesh.node(ring[(i + 1) % ring.size()]).at,
-    mesh.node(ring[(i + ring.size() - 1) % ring.size()]).at);
+  const Vector across = minus(mesh.node(following(ring, i)).at, mesh.node(preceding(ring, i)).at);
   // Of a narrow wall the normal is known less well than that.
   double longest = 0;
   for (std::size_t j = 0; j < ring.size(); ++j)
@@ -485,7 +485,7 @@ bool mayJoin(
   if (const double sharpness = sharpnessBetween(mesh, f, g); sharpness > 0)
   {
     const double edge = mesh.cell(mesh.face(f).below).edge;
-    charge += rules.spec.sharpEdge * sharpness * sharedLength(mesh, f, g) / edge;
+    charge += rules.objective.sharpEdge * sharpness * sharedLength(mesh, f, g) / edge;
   }
   return true;
 }
@@ -502,20 +502,20 @@ double decide(const MeshEditor& mesh, const EditRules& rules, const MeshEditor::
   const EditDelta& delta = mesh.delta;
   if (delta.failures > 0 || (delta.failures == 0 && delta.strains > 0) ||
     (!rules.mayTrade && (delta.inverted > 0 || delta.skew > 0)) ||
-    delta.fidelity > rules.spec.mostLost)
+    delta.fidelity > rules.objective.mostLost)
   {
     return NoGain;
   }
-  const double gain = gainOf(mesh, rules.spec, box);
+  const double gain = gainOf(mesh, rules.objective, box);
   if (!(gain > least) || (!rules.mayChangeWalls && !keepsAreas(mesh)))
   {
     return NoGain;
   }
   const double distance = distanceOfWalls(mesh, mark) / std::cbrt(box);
-  const double net = gain - chargeOfDistance(distance, rules.spec);
+  const double net = gain - chargeOfDistance(distance, rules.objective);
   const double held = heldBefore(mesh);
-  if (distance > rules.spec.mostMoved || !(net > least) || !keepsBody(mesh, held) ||
-    !mayLeaveDeficit(mesh, rules.spec, box, held))
+  if (distance > rules.objective.mostMoved || !(net > least) || !keepsBody(mesh, held) ||
+    !mayLeaveDeficit(mesh, rules.objective, box, held))
   {
     return NoGain;
   }

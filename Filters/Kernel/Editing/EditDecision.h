@@ -19,7 +19,7 @@ constexpr std::size_t MostFacesChanged = 512;
 
 struct EditRules
 {
-  ObjectiveSpec spec;
+  ObjectiveSpec objective;
   bool mayChangeWalls = true; // false: what is on the surface stays (Exact Fit)
   double mostMerged = 2;      // of its box: of the smaller of two cells that merge; 0: none do
   bool mayCut = true;         // cells, and join walls of failing ones at any angle

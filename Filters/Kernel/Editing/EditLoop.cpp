@@ -209,8 +209,8 @@ private:
     {
       const double least = std::max(gained, spec_.leastGainOfMove * item.cost);
       gained = std::max(gained,
-        bestMove(mesh_, trials_, spec_.rules.spec, spec_.search, nodesOf(item), mesh_.cell(c).edge,
-          least, best));
+        bestMove(mesh_, trials_, spec_.rules.objective, spec_.search, nodesOf(item),
+          mesh_.cell(c).edge, least, best));
     }
     if (!(gained > NoGain) || !make(best)) // or a cell would not close
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/FlatFaces.h"
 
+#include "Base/Rings.h"
 #include "Base/Sorting.h"
 #include "Editing/CellClosure.h"
 #include "Editing/EditDecision.h"
@@ -97,7 +98,7 @@ public:
     }
     for (std::size_t i = 0; i < ring_.size(); ++i)
     {
-      if (!divideEdge(ring_[i], ring_[(i + 1) % ring_.size()]))
+      if (!divideEdge(ring_[i], following(ring_, i)))
       {
         return false;
       }
@@ -229,7 +230,7 @@ private:
     bool has = false;
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      const std::uint32_t next = ring[(i + 1) % ring.size()];
+      const std::uint32_t next = following(ring, i);
       const bool isForward = ring[i] == u && next == v;
       const bool isBackward = ring[i] == v && next == u;
       isWhole = divided.add(ring[i]) && isWhole;
@@ -343,7 +344,7 @@ private:
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const std::uint32_t u = ring[i];
-      const std::uint32_t v = ring[(i + 1) % ring.size()];
+      const std::uint32_t v = following(ring, i);
       if (tryEdit([&] { return Removal(mesh_, f).collapse(u, v); }) ||
         tryEdit([&] { return Removal(mesh_, f).collapse(v, u); }))
       {
@@ -368,7 +369,7 @@ private:
     listChanged(mesh_, changed);
     mesh_.commit();
     changed = sortedUnique(std::move(changed));
-    costCells(mesh_, { changed.data(), changed.data() + changed.size() }, rules_.spec);
+    costCells(mesh_, { changed.data(), changed.data() + changed.size() }, rules_.objective);
     return true;
   }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/NodeShifts.h"
 
+#include "Base/Rings.h"
 #include "Editing/EditMeasures.h"
-#include "Editing/EditableWall.h"
 #include "Editing/PrimitiveEdits.h"
+#include "Editing/WallOpening.h"
 
 #include <algorithm>
 
@@ -288,7 +289,7 @@ double NodeShifts::sweptBy(std::uint32_t f) const
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const std::uint32_t p = ring[i];
-      const std::uint32_t q = ring[(i + 1) % ring.size()];
+      const std::uint32_t q = following(ring, i);
       const Vector area = cross(minus(at(p, time), mean), minus(at(q, time), mean));
       volume += weight * dot(plus(plus(moved(p), moved(q)), meanMoved), area);
     }

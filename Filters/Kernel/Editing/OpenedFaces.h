@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The faces of the cells that are opened (EditableWall.h), each once, and the vertices of the global mesh among their
+// The faces of the cells that are opened (WallOpening.h), each once, and the vertices of the global mesh among their
 // corners: what nodes and faces are made of.
 #pragma once
 

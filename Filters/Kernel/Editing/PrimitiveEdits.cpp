@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/PrimitiveEdits.h"
 
+#include "Base/Rings.h"
 #include "Editing/FixedList.h"
 
 namespace cartesian
@@ -165,12 +166,12 @@ bool findSharedRow(const Few& a, const Few& b, SharedRow& row)
 {
   const auto isShared = [&](std::size_t i) {
     const std::uint32_t from = a[i];
-    const std::uint32_t to = a[(i + 1) % a.size()];
+    const std::uint32_t to = following(a, i);
     for (std::size_t j = 0; j < b.size(); ++j)
     {
       if (b[j] == to)
       {
-        return b[(j + 1) % b.size()] == from;
+        return following(b, j) == from;
       }
     }
     return false;

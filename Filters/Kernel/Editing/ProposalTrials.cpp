@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/ProposalTrials.h"
 
+#include "Base/Rings.h"
 #include "Editing/CellCut.h"
 #include "Editing/EdgeArea.h"
 #include "Editing/PrimitiveEdits.h"
@@ -48,8 +49,8 @@ bool isBetween(const MeshView& mesh, std::uint32_t n, std::uint32_t p, std::uint
   return std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
     const Items ring = mesh.cornersOf(f);
     const std::size_t i = placeOf(ring, n);
-    const std::uint32_t x = ring[(i + ring.size() - 1) % ring.size()];
-    const std::uint32_t y = ring[(i + 1) % ring.size()];
+    const std::uint32_t x = preceding(ring, i);
+    const std::uint32_t y = following(ring, i);
     return (x == p && y == q) || (x == q && y == p);
   });
 }
@@ -64,13 +65,13 @@ bool ProposalTrials::applyIfGain(Edit&& edit)
   {
     (*poll_)();
   }
-  const double before = gainOf(mesh_, rules_.spec, box_);
+  const double before = gainOf(mesh_, rules_.objective, box_);
   const double needed = needed_;
   const double aim = aim_;
   const MeshEditor::Mark mark = mesh_.mark();
   aim_ = before + LeastGainOfMore;
   needed_ = aim_;
-  const bool isMade = edit() && updateAndValidate() && gainOf(mesh_, rules_.spec, box_) > aim_;
+  const bool isMade = edit() && updateAndValidate() && gainOf(mesh_, rules_.objective, box_) > aim_;
   isMade ? mesh_.keep(mark) : mesh_.undo(mark);
   needed_ = needed;
   aim_ = aim;
@@ -220,7 +221,7 @@ bool ProposalTrials::cut(const Proposal& proposal)
 // Whether what is needed can still be gained: by merges of the first parts, at most what they and their faces cost.
 bool ProposalTrials::mayGainOfMerges(const CutParts& parts, std::size_t count) const
 {
-  double gain = gainOf(mesh_, rules_.spec, box_);
+  double gain = gainOf(mesh_, rules_.objective, box_);
   for (std::size_t i = 0; i < count; ++i)
   {
     if (isPartToMerge(mesh_, parts[i]))
@@ -289,7 +290,7 @@ bool ProposalTrials::joinFacesOf(std::uint32_t c, const Faces& which)
 {
   FixedList<std::pair<std::uint32_t, std::uint32_t>, 256> pairs;
   const Items faces = mesh_.facesOf(c);
-  double gain = gainOf(mesh_, rules_.spec, box_);
+  double gain = gainOf(mesh_, rules_.objective, box_);
   for (const std::uint32_t f : faces)
   {
     bool isAny = false;
@@ -336,8 +337,8 @@ bool ProposalTrials::dissolveNode(std::uint32_t f, std::size_t& tries)
   {
     const Items ring = mesh_.cornersOf(f);
     const std::uint32_t n = ring[i];
-    const std::uint32_t p = ring[(i + ring.size() - 1) % ring.size()];
-    const std::uint32_t q = ring[(i + 1) % ring.size()];
+    const std::uint32_t p = preceding(ring, i);
+    const std::uint32_t q = following(ring, i);
     if (!isBetween(mesh_, n, p, q))
     {
       continue;

@@ -46,7 +46,7 @@ private:
   void mergePart(std::uint32_t part, const FixedList<std::uint32_t, 16>& parts);
   bool updateAndValidate()
   {
-    return cartesian::updateAndValidate(mesh_, rules_.spec, { needed_, box_ });
+    return cartesian::updateAndValidate(mesh_, rules_.objective, { needed_, box_ });
   }
 
   // Makes a further edit if it gains by itself.

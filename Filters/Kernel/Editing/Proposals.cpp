@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/Proposals.h"
 
+#include "Base/Rings.h"
 #include "Editing/EdgeArea.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"
@@ -104,8 +105,7 @@ void proposeShortEdges(
   const double edge = edgeAt(mesh, f);
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
-    const double length =
-      norm(minus(mesh.node(ring[i]).at, mesh.node(ring[(i + 1) % ring.size()]).at));
+    const double length = norm(minus(mesh.node(ring[i]).at, mesh.node(following(ring, i)).at));
     if (length < search.longestEdge * edge)
     {
       edges.offer({ length, i });
@@ -115,7 +115,7 @@ void proposeShortEdges(
   for (std::size_t k = 0; k < std::min(search.edges, edges.size()); ++k)
   {
     const std::size_t i = edges[k].second;
-    proposeCollapse(mesh, search, edge, ring[i], ring[(i + 1) % ring.size()], proposals);
+    proposeCollapse(mesh, search, edge, ring[i], following(ring, i), proposals);
   }
 }
 
@@ -245,9 +245,9 @@ void addReentrant(
   for (std::size_t i = 0; i < a.size(); ++i)
   {
     const std::uint32_t p = a[i];
-    const std::uint32_t q = a[(i + 1) % a.size()];
+    const std::uint32_t q = following(a, i);
     const std::size_t j = placeOf(b, isTurned ? p : q);
-    if (j < b.size() && b[(j + 1) % b.size()] == (isTurned ? q : p))
+    if (j < b.size() && following(b, j) == (isTurned ? q : p))
     {
       const Vector& from = mesh.node(p).at;
       const Vector& to = mesh.node(q).at;
@@ -422,7 +422,7 @@ void proposeForCell(
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const std::uint32_t u = ring[i];
-      const std::uint32_t v = ring[(i + 1) % ring.size()];
+      const std::uint32_t v = following(ring, i);
       if (u < v && norm(minus(mesh.node(u).at, mesh.node(v).at)) < ShortEdgeOfCell * edge)
       {
         proposeCollapse(mesh, search, edge, u, v, proposals);

@@ -76,7 +76,7 @@ private:
   bool apply(const RefusalEdit& edit, CutParts& parts);
   bool isValidNow(const MeshEditor::Mark& mark)
   {
-    return updateAndValidate(mesh_, rules_.spec) && areAllClosed(mesh_, mark);
+    return updateAndValidate(mesh_, rules_.objective) && areAllClosed(mesh_, mark);
   }
 
   MeshEditor& mesh_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/ShortEdges.h"
 
+#include "Base/Rings.h"
 #include "Editing/EdgeArea.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"
@@ -53,8 +54,8 @@ std::vector<ShortEdge> listShortEdges(const ZoneTask& task, double length, bool 
     const double box = mesh.cell(mesh.face(f).below).edge;
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      const std::uint32_t u = std::min(ring[i], ring[(i + 1) % ring.size()]);
-      const std::uint32_t v = std::max(ring[i], ring[(i + 1) % ring.size()]);
+      const std::uint32_t u = std::min(ring[i], following(ring, i));
+      const std::uint32_t v = std::max(ring[i], following(ring, i));
       const bool isListed = !atWallOnly || mesh.node(u).atWall || mesh.node(v).atWall;
       if (const double share = lengthOf(mesh, u, v) / box; isListed && share < length)
       {
@@ -78,7 +79,7 @@ bool isEdge(const MeshView& mesh, std::uint32_t u, std::uint32_t v)
   return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
     const Items ring = mesh.cornersOf(f);
     const std::size_t i = placeOf(ring, u);
-    return ring[(i + 1) % ring.size()] == v || ring[(i + ring.size() - 1) % ring.size()] == v;
+    return following(ring, i) == v || preceding(ring, i) == v;
   });
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/TrueVolume.h"
 
-#include "Editing/EditableWall.h"
 #include "Editing/NodeShifts.h"
+#include "Editing/WallOpening.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/WallClosing.h"
+
 #include "Base/Sorting.h"
-#include "Editing/EditableWall.h"
 #include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>

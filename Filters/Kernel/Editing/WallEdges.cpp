@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/WallEdges.h"
 
+#include "Base/Rings.h"
 #include "Editing/EditDecision.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Lattice/NearestPlace.h"
@@ -28,9 +29,9 @@ void forEachShared(const MeshView& mesh, std::uint32_t f, std::uint32_t g, Visit
   for (std::size_t i = 0; i < a.size(); ++i)
   {
     const std::uint32_t p = a[i];
-    const std::uint32_t q = a[(i + 1) % a.size()];
+    const std::uint32_t q = following(a, i);
     const std::size_t j = placeOf(b, q);
-    if (j < b.size() && b[(j + 1) % b.size()] == p)
+    if (j < b.size() && following(b, j) == p)
     {
       visit(p, q);
     }
@@ -39,7 +40,7 @@ void forEachShared(const MeshView& mesh, std::uint32_t f, std::uint32_t g, Visit
 
 bool isEdgeAt(Items ring, std::size_t i, std::uint32_t v)
 {
-  return ring[(i + 1) % ring.size()] == v || ring[(i + ring.size() - 1) % ring.size()] == v;
+  return following(ring, i) == v || preceding(ring, i) == v;
 }
 
 double squareToTriangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c)
@@ -262,7 +263,7 @@ WallEdge wallEdgeOf(const MeshView& mesh, std::uint32_t u, std::uint32_t v)
     {
       const std::size_t side = std::min<std::size_t>(count, 1);
       sides[side] = &mesh.face(f);
-      isForward[side] = ring[(i + 1) % ring.size()] == v;
+      isForward[side] = following(ring, i) == v;
       ++count;
     }
   }

@@ -27,12 +27,12 @@ namespace
 LoopSpec thoroughLoop()
 {
   LoopSpec spec;
-  spec.rules.spec.saturation = 0;
-  spec.rules.spec.distance = 0.03;
-  spec.rules.spec.sharpEdge = 50;
-  spec.rules.spec.mostLost = 10;
-  spec.rules.spec.mostMoved = 0.25;
-  spec.rules.spec.mostDrift = 0.08;
+  spec.rules.objective.saturation = 0;
+  spec.rules.objective.distance = 0.03;
+  spec.rules.objective.sharpEdge = 50;
+  spec.rules.objective.mostLost = 10;
+  spec.rules.objective.mostMoved = 0.25;
+  spec.rules.objective.mostDrift = 0.08;
   spec.search.edges = 9;
   spec.search.neighbours = 4;
   spec.search.nodes = 4;
@@ -50,12 +50,12 @@ LoopSpec thoroughLoop()
 LoopSpec lastLoop()
 {
   LoopSpec spec = thoroughLoop();
-  spec.rules.spec.saturation = ObjectiveSpec().saturation;
-  spec.rules.spec.failing = 200;
-  spec.rules.spec.sharpEdge = 20;
-  spec.rules.spec.mostLost = HUGE_VAL;
-  spec.rules.spec.mostMoved = 0.55;
-  spec.rules.spec.mostDrift = 0.2;
+  spec.rules.objective.saturation = ObjectiveSpec().saturation;
+  spec.rules.objective.failing = 200;
+  spec.rules.objective.sharpEdge = 20;
+  spec.rules.objective.mostLost = HUGE_VAL;
+  spec.rules.objective.mostMoved = 0.55;
+  spec.rules.objective.mostDrift = 0.2;
   spec.search.removedShare = 0.1;
   spec.search.longestEdge = 1.5;
   spec.search.neighbours = 6;
@@ -132,13 +132,13 @@ void append(std::vector<MadeEdit>& all, const std::vector<MadeEdit>& more)
 void improveFailing(const ZoneTask& task, const Loops& loops, const std::function<void()>& poll,
   std::vector<MadeEdit>& edits)
 {
-  const ObjectiveSpec& usual = loops.general.rules.spec;
+  const ObjectiveSpec& usual = loops.general.rules.objective;
   bool isAny = false;
   task.forEachFace([&](std::uint32_t f) { isAny = isAny || task.mesh.face(f).cost > MuchCost; });
   if (isAny)
   {
-    const ObjectiveSpec& thorough = loops.thorough.rules.spec;
-    const ObjectiveSpec& last = loops.last.rules.spec;
+    const ObjectiveSpec& thorough = loops.thorough.rules.objective;
+    const ObjectiveSpec& last = loops.last.rules.objective;
     rescaleCosts(task, usual, thorough);
     append(edits, improve(task, loops.thorough, poll));
     rescaleCosts(task, thorough, last);
@@ -257,7 +257,7 @@ std::vector<MadeEdit> improveWall(
   const auto pay = [&] {
     if (spec.trueVolume)
     {
-      redistributeVolume(whole, general.rules.spec, execution);
+      redistributeVolume(whole, general.rules.objective, execution);
     }
   };
   whole.wantedShare = spec.smallShare * Wanted::ShareByRatio;
@@ -266,7 +266,7 @@ std::vector<MadeEdit> improveWall(
   snap.length = std::min(3 * spec.collapseRatio, LongestSnapped);
   std::mutex mutex;
   std::vector<MadeEdit> edits;
-  costAll(whole, general.rules.spec, execution);
+  costAll(whole, general.rules.objective, execution);
   editInZones(whole, execution, [&](const ZoneTask& task) {
     if (spec.improves() && (spec.mayChangeWalls || spec.collapseRatio > 0))
     {
@@ -297,14 +297,14 @@ std::vector<MadeEdit> improveWall(
     true);
   if (spec.movesNodes)
   {
-    centreWalls(whole, general.rules.spec, execution);
+    centreWalls(whole, general.rules.objective, execution);
   }
   pay();
   if (spec.mayChangeWalls)
   {
     endAll(whole, loops, execution, edits);
   }
-  separateNodes(whole, general.rules.spec, execution);
+  separateNodes(whole, general.rules.objective, execution);
   append(edits, removeFlatFaces(whole, general.rules, execution));
   sortAll(edits, execution); // zones end in any order
   return edits;

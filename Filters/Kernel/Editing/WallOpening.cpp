@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Editing/WallOpening.h"
+
 #include "Base/Sorting.h"
 #include "Editing/CellClosure.h"
 #include "Editing/EditMeasures.h"
-#include "Editing/EditableWall.h"
 #include "Editing/NearWallSelection.h"
 #include "Editing/NodeKinds.h"
 #include "Editing/OpenedFaces.h"

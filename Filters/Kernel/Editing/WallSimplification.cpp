@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/WallSimplification.h"
 
+#include "Base/Rings.h"
 #include "Base/Sorting.h"
 #include "Editing/EdgeArea.h"
 #include "Editing/EditDecision.h"
@@ -222,8 +223,8 @@ private:
     {
       const Items ring = mesh_.cornersOf(f);
       const std::size_t i = placeOf(ring, n);
-      const std::uint32_t x = ring[(i + ring.size() - 1) % ring.size()];
-      const std::uint32_t y = ring[(i + 1) % ring.size()];
+      const std::uint32_t x = preceding(ring, i);
+      const std::uint32_t y = following(ring, i);
       if (p == None)
       {
         p = x;
@@ -318,7 +319,7 @@ void simplifyWalls(const ZoneTask& task, const SimplificationSpec& spec, const E
       measureCell(mesh, c);
     }
   }
-  costCells(mesh, { changed.data(), changed.data() + changed.size() }, rules.spec);
+  costCells(mesh, { changed.data(), changed.data() + changed.size() }, rules.objective);
 }
 
 }

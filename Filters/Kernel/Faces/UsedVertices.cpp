@@ -14,7 +14,7 @@ class RowMarks
 {
 public:
   RowMarks(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
-    const std::vector<NodeRole>& used, Layers layers)
+    const std::vector<NodeRole>& used, SlabRange layers)
     : boxes_(boxes)
     , sides_(sides)
     , nodes_(nodes)
@@ -108,7 +108,7 @@ private:
   const Sides& sides_;
   const Nodes& nodes_;
   const std::vector<NodeRole>& used_;
-  Layers layers_;
+  SlabRange layers_;
   std::vector<std::uint8_t> marks_;
   std::size_t first_ = 0;
   std::size_t last_ = 0;
@@ -128,7 +128,7 @@ bool UsedVertices::isVertex(
 }
 
 UsedVertices::UsedVertices(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
-  const std::vector<NodeRole>& used, Layers layers, Execution& execution)
+  const std::vector<NodeRole>& used, SlabRange layers, Execution& execution)
   : rowLength_(boxes.planes[1].size())
 {
   const std::size_t rows = rowLength_ * boxes.planes[2].size();

@@ -28,7 +28,7 @@ class UsedVertices
 public:
   // Takes the vertices of undivided boxes of these layers that become hexahedra, and of used grid nodes.
   UsedVertices(const Boxes& boxes, const Sides& sides, const Nodes& nodes,
-    const std::vector<NodeRole>& used, Layers layers, Execution& execution);
+    const std::vector<NodeRole>& used, SlabRange layers, Execution& execution);
 
   // The number of used vertices in the row j + k * (planes along y).
   std::size_t count(std::size_t row) const

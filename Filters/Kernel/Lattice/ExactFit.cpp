@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lattice/ExactFit.h"
 
+#include "Base/Rings.h"
+
 #include <algorithm>
 
 namespace cartesian
@@ -24,7 +26,7 @@ Point crossSide(const Corners& triangle, std::uint8_t side, const Point& p, int 
 {
   if (side < Fragment::FirstPlane)
   {
-    return crossPlane(triangle[side], triangle[(side + 1) % 3], axis, plane);
+    return crossPlane(triangle[side], following(triangle, side), axis, plane);
   }
   const int other = side - Fragment::FirstPlane;
   Point at = p;

@@ -2,6 +2,7 @@
 // Points in one cutting plane, as seen from the side that its normal points to.
 #pragma once
 
+#include "Base/Rings.h"
 #include "Lattice/Lattice.h"
 
 namespace cartesian
@@ -16,8 +17,8 @@ struct PlanePoint
 
 inline PlanePoint flatten(const Point& p, int axis)
 {
-  return { static_cast<std::int64_t>(p[(axis + 1) % 3]),
-    static_cast<std::int64_t>(p[(axis + 2) % 3]) };
+  return { static_cast<std::int64_t>(following(p, axis)),
+    static_cast<std::int64_t>(preceding(p, axis)) };
 }
 
 // Twice the area of the triangle pqr, positive if counter-clockwise; exact.

@@ -2,6 +2,7 @@
 #include "Layers/FaceDivision.h"
 
 #include "Acceptance/Skewness.h"
+#include "Base/Rings.h"
 #include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ Part joinedRing(const Part& a, const Part& b)
   {
     for (std::size_t j = 0; j < b.size(); ++j)
     {
-      if (a[i] != b[(j + 1) % b.size()] || a[(i + 1) % a.size()] != b[j])
+      if (a[i] != following(b, j) || following(a, i) != b[j])
       {
         continue;
       }
@@ -120,7 +121,7 @@ double FaceDivision::costOf(const Part& triangle) const
   double squares = 0;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const Vector edge = minus((*corners_)[triangle[(i + 1) % 3]], (*corners_)[triangle[i]]);
+    const Vector edge = minus((*corners_)[following(triangle, i)], (*corners_)[triangle[i]]);
     squares += dot(edge, edge);
   }
   const double shape =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/WarpedWalls.h"
 
+#include "Base/Rings.h"
 #include "Layers/BoxSides.h"
 #include "Layers/FaceDivision.h"
 #include "Polyhedra/CellGeometry.h"
@@ -159,7 +160,7 @@ private:
       for (std::size_t i = 0; i < part.size(); ++i)
       {
         const std::uint32_t from = part[i];
-        const std::uint32_t to = part[(i + 1) % part.size()];
+        const std::uint32_t to = following(part, i);
         if (to != (from + 1) % ring_.size())
         {
           visit(keyOf(ring_[from], ring_[to]));

@@ -27,11 +27,11 @@ OutputMesh::OutputMesh(const MeshParts& parts, Execution& execution)
   , points_(parts, parts.boxes.core, execution)
   , ownPoints_(pointCount())
 {
-  const Layers core = parts.boxes.core;
+  const SlabRange core = parts.boxes.core;
   // Cells that extend into other layers decide which points of those are used: where walls were edited, all are here.
-  const Layers all = parts.boxes.allLayers();
+  const SlabRange all = parts.boxes.allLayers();
   const bool areAllHere = parts.boxes.kept.begin == all.begin && parts.boxes.kept.end == all.end;
-  const Layers around = areAllHere ? all : core.grown(HaloOfCells, all.end);
+  const SlabRange around = areAllHere ? all : core.grown(HaloOfCells, all.end);
   if (around.begin != core.begin || around.end != core.end)
   {
     pointsAround_ = std::make_unique<PointNumbers>(parts, around, execution);

@@ -76,13 +76,13 @@ std::vector<PointNumbers::AddedNode> PointNumbers::addedNodes(
   return added;
 }
 
-PointNumbers::PointNumbers(const MeshParts& parts, Layers layers, Execution& execution)
+PointNumbers::PointNumbers(const MeshParts& parts, SlabRange layers, Execution& execution)
   : PointNumbers(parts, layers, usedNodes(parts, layers, execution), execution)
 {
 }
 
 PointNumbers::PointNumbers(
-  const MeshParts& parts, Layers layers, std::vector<NodeRole>&& roles, Execution& execution)
+  const MeshParts& parts, SlabRange layers, std::vector<NodeRole>&& roles, Execution& execution)
   : rowLength_(parts.boxes.planes[1].size())
   , vertices_(parts.boxes, parts.sides, parts.nodes, roles, layers, execution)
 {
@@ -203,7 +203,7 @@ void PointNumbers::numberNodes(const MeshParts& parts, const std::vector<NodeRol
 }
 
 std::vector<NodeRole> PointNumbers::usedNodes(
-  const MeshParts& parts, Layers layers, Execution& execution)
+  const MeshParts& parts, SlabRange layers, Execution& execution)
 {
   const Boxes& boxes = parts.boxes;
   const WallMesh& wall = parts.wall;

@@ -16,7 +16,7 @@ class PointNumbers
 {
 public:
   // Numbers the points that cells in these layers of boxes use.
-  PointNumbers(const MeshParts& parts, Layers layers, Execution& execution);
+  PointNumbers(const MeshParts& parts, SlabRange layers, Execution& execution);
 
   std::size_t size() const { return rowStart_.back(); }
 
@@ -64,11 +64,11 @@ private:
   struct AddedNode;
 
   PointNumbers(
-    const MeshParts& parts, Layers layers, std::vector<NodeRole>&& roles, Execution& execution);
+    const MeshParts& parts, SlabRange layers, std::vector<NodeRole>&& roles, Execution& execution);
 
   // All used nodes are Plain.
   static std::vector<NodeRole> usedNodes(
-    const MeshParts& parts, Layers layers, Execution& execution);
+    const MeshParts& parts, SlabRange layers, Execution& execution);
   static std::vector<AddedNode> addedNodes(
     const Nodes& nodes, const Meshlines& planes, const std::vector<NodeRole>& roles);
   template <class Visitor>

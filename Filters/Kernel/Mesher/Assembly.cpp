@@ -7,8 +7,8 @@
 #include "Cells/Fragments.h"
 #include "Cells/Interfaces.h"
 #include "Cells/OverlappingCells.h"
-#include "Editing/EditableWall.h"
 #include "Editing/FlatFaces.h"
+#include "Editing/WallClosing.h"
 #include "Editing/WallImprovement.h"
 #include "Faces/BoxRebuilding.h"
 #include "Lattice/Vector.h"
@@ -312,7 +312,7 @@ void count(Assembly& a, const std::vector<MadeEdit>& edits)
 ImprovementSpec improvementOf(const Options& options, bool exact)
 {
   const bool merges = options.smallCells.handling == SmallCells::Merge;
-  const ShapingSpec& shaping = options.shaping;
+  const CellShapeSpec& shaping = options.shaping;
   ImprovementSpec spec;
   spec.collapseRatio = options.collapse.ratio;
   spec.smallShare = merges ? shaping.mergeRatio : options.smallCells.ratio;
@@ -345,7 +345,7 @@ void editWall(
 
 bool isWhole(const Assembly& a)
 {
-  const Layers all = a.boxes.allLayers();
+  const SlabRange all = a.boxes.allLayers();
   return a.boxes.core.begin == all.begin && a.boxes.core.end == all.end;
 }
 

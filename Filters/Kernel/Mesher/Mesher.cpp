@@ -291,7 +291,7 @@ Patches makePatches(const PreparedSurface& prepared, const Decomposition& decomp
 }
 
 std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
-  const Decomposition& decomposition, Layers core, const Options& options, Execution& execution)
+  const Decomposition& decomposition, SlabRange core, const Options& options, Execution& execution)
 {
   requireSpace(prepared, options);
   const PartsToKeep parts{ prepared.keepPoints, prepared.isEnclosed };

@@ -76,6 +76,6 @@ Patches makePatches(const PreparedSurface& prepared, const Decomposition& decomp
 // The boxes, patches and cells of one part: the layers `core` of global boxes. Throws Error:
 // TooManyBoxes, BadParameter, FlawedSurface.
 std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
-  const Decomposition& decomposition, Layers core, const Options& options, Execution& execution);
+  const Decomposition& decomposition, SlabRange core, const Options& options, Execution& execution);
 
 }

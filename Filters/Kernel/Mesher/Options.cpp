@@ -70,10 +70,10 @@ void requireValidCells(const Options& options)
     requireInRange(SmallCellSpec::Ratios, own.ratio,
       "Small Cell Ratio of boundary " + std::to_string(own.boundary));
   }
-  requireInRange(ShapingSpec::MergeRatios, options.shaping.mergeRatio, "Merge Ratio");
+  requireInRange(CellShapeSpec::MergeRatios, options.shaping.mergeRatio, "Merge Ratio");
   requireInRange(
-    ShapingSpec::RefusedCellRatios, options.shaping.refusedCellRatio, "Refused Cell Ratio");
-  requireInRange(CollapseSpec::Ratios, options.collapse.ratio, "Collapse Ratio");
+    CellShapeSpec::RefusedCellRatios, options.shaping.refusedCellRatio, "Refused Cell Ratio");
+  requireInRange(ShortEdgeSpec::Ratios, options.collapse.ratio, "Collapse Ratio");
 }
 
 }

@@ -6,8 +6,8 @@
 #include "Boxes/MeshEstimate.h"
 #include "Boxes/Refinement.h"
 #include "Cells/SmallCellSpec.h"
-#include "Editing/CollapseSpec.h"
-#include "Editing/ShapingSpec.h"
+#include "Editing/CellShapeSpec.h"
+#include "Editing/ShortEdgeSpec.h"
 #include "Lattice/Meshlines.h"
 #include "Patches/PatchSpec.h"
 #include "Repair/Baffles.h"
@@ -39,9 +39,9 @@ struct Options
   GridSpec grid;
   RefinementSpec refinement;
   PatchSpec patches; // with the feature angle of all steps
-  CollapseSpec collapse;
+  ShortEdgeSpec collapse;
   SmallCellSpec smallCells;
-  ShapingSpec shaping;
+  CellShapeSpec shaping;
   WallLayerSpec layers;
 
   // The most cells: refinement.sizing, except its feature depth, is relaxed until they fit (CellBudget.h); 0: any

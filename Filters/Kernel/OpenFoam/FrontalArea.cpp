@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenFoam/FrontalArea.h"
 
+#include "Base/Rings.h"
 #include "Lattice/Lattice.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ public:
       for (std::size_t i = 0; i < 3; ++i)
       {
         const Place& a = triangle[i];
-        const Place& b = triangle[(i + 1) % 3];
+        const Place& b = following(triangle, i);
         if ((a[1] <= y) != (b[1] <= y))
         {
           const double x = a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);

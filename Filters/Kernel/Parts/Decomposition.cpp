@@ -17,7 +17,8 @@ constexpr std::uint32_t HaloOfUndivided = HaloOfRebuilding + 1;
 constexpr std::uint32_t HaloOfDivided = HaloOfUndivided + 1;
 
 // The layers that a part needs of the balanced boxes; balancing takes balanceReach() more.
-Layers layersFor(Layers core, bool editsWall, const Refinement& refinement, std::uint32_t allLayers)
+SlabRange layersFor(
+  SlabRange core, bool editsWall, const Refinement& refinement, std::uint32_t allLayers)
 {
   return layersForCells(core, editsWall, allLayers)
     .grown(refinement.any() ? HaloOfDivided : HaloOfUndivided, allLayers);
@@ -54,9 +55,9 @@ void Decomposition::relax(double factor, Execution& execution)
   }
 }
 
-Boxes Decomposition::boxes(Layers core, Execution& execution) const
+Boxes Decomposition::boxes(SlabRange core, Execution& execution) const
 {
-  const Layers kept = layersFor(core, editsWall_, refinement_, allLayers().end);
+  const SlabRange kept = layersFor(core, editsWall_, refinement_, allLayers().end);
   if (refinement_.any())
   {
     checkMemory(together(estimateLayers(execution), kept), limit_);
@@ -87,7 +88,8 @@ std::vector<MeshEstimate> Decomposition::estimateLayers(Execution& execution) co
   return layers;
 }
 
-MeshEstimate Decomposition::together(const std::vector<MeshEstimate>& ofLayers, Layers layers) const
+MeshEstimate Decomposition::together(
+  const std::vector<MeshEstimate>& ofLayers, SlabRange layers) const
 {
   MeshEstimate sum;
   for (std::uint32_t k = layers.begin; k < layers.end; ++k)
@@ -98,12 +100,12 @@ MeshEstimate Decomposition::together(const std::vector<MeshEstimate>& ofLayers, 
   return sum;
 }
 
-std::vector<Layers> Decomposition::split(
+std::vector<SlabRange> Decomposition::split(
   const std::vector<MeshEstimate>& layers, std::size_t count) const
 {
   const auto end = static_cast<std::uint32_t>(layers.size());
   const double all = workOf(together(layers, { 0, end }));
-  std::vector<Layers> parts(count);
+  std::vector<SlabRange> parts(count);
   std::uint32_t k = 0;
   double before = 0;
   for (std::size_t part = 0; part < count; ++part)
@@ -125,7 +127,7 @@ std::size_t Decomposition::partsNeeded(const std::vector<MeshEstimate>& layers) 
   for (std::size_t count = 1;; ++count)
   {
     MeshEstimate largest;
-    for (const Layers& core : split(layers, count))
+    for (const SlabRange& core : split(layers, count))
     {
       const MeshEstimate part = together(layers, layersFor(core, editsWall_, refinement_, all));
       largest = part.bytes(limit_) > largest.bytes(limit_) ? part : largest;

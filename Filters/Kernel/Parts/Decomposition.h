@@ -37,23 +37,23 @@ public:
   // A message about rows of the specification that extend beyond the grid, or empty.
   const std::string& warnings() const { return refinement_.warnings(); }
 
-  Layers allLayers() const { return { 0, static_cast<std::uint32_t>(planes_[2].size() - 1) }; }
+  SlabRange allLayers() const { return { 0, static_cast<std::uint32_t>(planes_[2].size() - 1) }; }
 
   // The boxes of a part and those it depends on. Throws Error: TooManyBoxes.
-  Boxes boxes(Layers core, Execution& execution) const;
+  Boxes boxes(SlabRange core, Execution& execution) const;
 
   // Of each layer of global boxes.
   std::vector<MeshEstimate> estimateLayers(Execution& execution) const;
 
   // Of a mesh or a part of one, with these layers.
-  MeshEstimate together(const std::vector<MeshEstimate>& ofLayers, Layers layers) const;
+  MeshEstimate together(const std::vector<MeshEstimate>& ofLayers, SlabRange layers) const;
 
   // The least number of parts of which none exceeds the memory limit. Throws Error: TooManyBoxes,
   // if a single layer does.
   std::size_t partsNeeded(const std::vector<MeshEstimate>& layers) const;
 
   // Divides the layers into `count` parts that take about equally long; some may be empty.
-  std::vector<Layers> split(const std::vector<MeshEstimate>& layers, std::size_t count) const;
+  std::vector<SlabRange> split(const std::vector<MeshEstimate>& layers, std::size_t count) const;
 
 private:
   const Surface& surface_;

@@ -12,9 +12,9 @@ constexpr std::uint32_t HaloOfCells = 1;
 
 // The layers whose cells must be cut correctly, for those of `core` to be correct in the end. Edits of the wall
 // (Editing/WallImprovement.h) follow each other from zone to zone without bound: each part edits all of it.
-inline Layers layersForCells(Layers core, bool editsWall, std::uint32_t allLayers)
+inline SlabRange layersForCells(SlabRange core, bool editsWall, std::uint32_t allLayers)
 {
-  return editsWall ? Layers{ 0, allLayers } : core.grown(HaloOfCells, allLayers);
+  return editsWall ? SlabRange{ 0, allLayers } : core.grown(HaloOfCells, allLayers);
 }
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patches/CrossingPairs.h"
 
+#include "Base/Rings.h"
 #include "Boxes/Sides.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ void CrossingPairs::pairAlong(const Box& box, const BoxSurface& piece, std::size
   }
   const auto key = [&](std::uint32_t node) {
     const Point& p = piece.points[node];
-    return std::array<Level, 3>{ p[(axis + 1) % 3], p[(axis + 2) % 3], p[axis] };
+    return std::array<Level, 3>{ following(p, axis), preceding(p, axis), p[axis] };
   };
   std::sort(onLines_.begin(), onLines_.end(),
     [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patches/PolygonMerging.h"
 
+#include "Base/Rings.h"
 #include "Lattice/Vector.h"
 
 #include <algorithm>
@@ -191,7 +192,7 @@ bool PolygonMerging::isConvex(const std::vector<std::uint32_t>& ring, double mos
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
     const Vector& p = box_.at[ring[i]];
-    const Vector& q = box_.at[ring[(i + 1) % ring.size()]];
+    const Vector& q = box_.at[following(ring, i)];
     const Vector& r = box_.at[ring[(i + 2) % ring.size()]];
     const Vector pq = minus(q, p);
     const Vector qr = minus(r, q);

@@ -2,6 +2,7 @@
 #include "Repair/Arrangement.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Rings.h"
 #include "Repair/TriangleDivision.h"
 #include "Repair/TrianglePairs.h"
 #include "Repair/TrianglePlane.h"
@@ -126,7 +127,7 @@ public:
       }
       for (std::size_t i = 0; i < 3; ++i)
       {
-        taken.insert(endsOf(c[i], c[(i + 1) % 3]));
+        taken.insert(endsOf(c[i], following(c, i)));
       }
       putOnEdge(endsOf(c[0], c[1]), c[2]);
       c[2] = c[1];
@@ -144,7 +145,7 @@ private:
       const Triple& c = surface_.triangles[t];
       for (std::size_t i = 0; i < 3 && made_[t] != Made::Given; ++i)
       {
-        any = index_.merge(c[i], c[(i + 1) % 3]) || any;
+        any = index_.merge(c[i], following(c, i)) || any;
       }
     }
     for (std::uint32_t t = 0; t < surface_.triangles.size() && any; ++t)
@@ -254,7 +255,7 @@ private:
     const Triple& c = surface_.triangles[s];
     for (std::size_t i = 0; i < 3; ++i)
     {
-      meetEdges(endsOf(c[i], c[(i + 1) % 3]), t, axis);
+      meetEdges(endsOf(c[i], following(c, i)), t, axis);
     }
   }
 
@@ -268,7 +269,7 @@ private:
     const int way = turnOf(c[0], c[1], c[2], axis);
     for (int i = 0; i < 3; ++i)
     {
-      const int turn = way * turnOf(c[i], c[(i + 1) % 3], v, axis);
+      const int turn = way * turnOf(c[i], following(c, i), v, axis);
       if (turn < 0)
       {
         return;
@@ -290,7 +291,7 @@ private:
     std::array<int, 3> turn{};
     for (int i = 0; i < 3; ++i)
     {
-      turn[i] = orientation(p, q, surface_.vertices[c[i]], surface_.vertices[c[(i + 1) % 3]]);
+      turn[i] = orientation(p, q, surface_.vertices[c[i]], surface_.vertices[following(c, i)]);
       sum += turn[i];
       zeros += turn[i] == 0 ? 1 : 0;
     }
@@ -318,7 +319,7 @@ private:
     const Triple& c = surface_.triangles[t];
     for (int i = 0; i < 3; ++i)
     {
-      const Ends f = endsOf(c[i], c[(i + 1) % 3]);
+      const Ends f = endsOf(c[i], following(c, i));
       if (areCrossing(e, f, axis))
       {
         // The same vertex, whichever comes first.
@@ -404,9 +405,9 @@ private:
       const int way = turnOf(c[0], c[1], c[2], axis);
       for (int i = 0; i < 3 && place.isInside; ++i)
       {
-        const Ends edge = endsOf(c[i], c[(i + 1) % 3]);
+        const Ends edge = endsOf(c[i], following(c, i));
         place =
-          way * turnOf(c[i], c[(i + 1) % 3], v, axis) <= 0 || distance(v, edge) < placing_.reach
+          way * turnOf(c[i], following(c, i), v, axis) <= 0 || distance(v, edge) < placing_.reach
           ? Place{ i, false }
           : place;
       }
@@ -497,7 +498,7 @@ private:
     for (std::size_t i = 0; i < 3; ++i)
     {
       place =
-        plus(place, scaled(cross(normal[(i + 1) % 3], normal[(i + 2) % 3]), height[i] / whole));
+        plus(place, scaled(cross(following(normal, i), preceding(normal, i)), height[i] / whole));
     }
     std::vector<Segment*> segments;
     for (const std::uint32_t t : three)
@@ -557,9 +558,9 @@ private:
     const Triple& c = surface_.triangles[s];
     for (std::size_t i = 0; i < 3; ++i)
     {
-      std::vector<std::uint32_t> points = pointsOn(c[i], c[(i + 1) % 3]);
+      std::vector<std::uint32_t> points = pointsOn(c[i], following(c, i));
       points.insert(points.begin(), c[i]);
-      points.push_back(c[(i + 1) % 3]);
+      points.push_back(following(c, i));
       bool wasWithin = false;
       for (std::size_t k = 0; k < points.size(); ++k)
       {
@@ -598,7 +599,7 @@ private:
     for (std::size_t i = 0; i < 3; ++i)
     {
       const std::uint32_t p = c[i];
-      const std::uint32_t q = c[(i + 1) % 3];
+      const std::uint32_t q = following(c, i);
       is = is && (way * turnOf(p, q, v, axis) >= 0 || distance(v, endsOf(p, q)) < placing_.reach);
     }
     return is;
@@ -642,7 +643,7 @@ private:
     bool any = marks_.count(t) != 0;
     for (std::size_t i = 0; i < 3 && !any; ++i)
     {
-      const Ends edge = endsOf(c[i], c[(i + 1) % 3]);
+      const Ends edge = endsOf(c[i], following(c, i));
       any = hasPoints_[edge[0]] != 0 && onEdge_.count(edge) != 0;
     }
     return any;
@@ -723,7 +724,7 @@ private:
       { placing_.reach, placing_.keepsEdges });
     for (std::size_t i = 0; i < 3; ++i)
     {
-      division.divideEdge(i, pointsOn(c[i], c[(i + 1) % 3]));
+      division.divideEdge(i, pointsOn(c[i], following(c, i)));
     }
     if (const auto marks = marks_.find(t); marks != marks_.end())
     {

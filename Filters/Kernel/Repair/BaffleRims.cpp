@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/BaffleRims.h"
 
+#include "Base/Rings.h"
 #include "Lattice/NearestPlace.h"
 #include "Repair/EdgePoints.h"
 #include "Repair/NearbyTriangles.h"
@@ -207,11 +208,11 @@ private:
     for (std::size_t i = 0; i < 3; ++i)
     {
       const Vector from = toVector(surface_.vertices[c[i]]);
-      const Vector way = minus(toVector(surface_.vertices[c[(i + 1) % 3]]), from);
+      const Vector way = minus(toVector(surface_.vertices[following(c, i)]), from);
       const double along = dot(minus(nearest, from), way) / dot(way, way);
       if (norm(minus(nearest, plus(from, scaled(way, along)))) < SnapLevels)
       {
-        const Ends edge = endsOf(c[i], c[(i + 1) % 3]);
+        const Ends edge = endsOf(c[i], following(c, i));
         return onEdge(edge, vertexOn(edge, c[i] == edge[0] ? along : 1 - along), t);
       }
     }
@@ -291,7 +292,7 @@ private:
       const Triple& c = surface_.triangles[t];
       for (std::size_t i = 0; i < 3; ++i)
       {
-        const Ends edge = endsOf(c[i], c[(i + 1) % 3]);
+        const Ends edge = endsOf(c[i], following(c, i));
         const Vector p = toVector(surface_.vertices[edge[0]]);
         const Vector q = toVector(surface_.vertices[edge[1]]);
         const double low = way.heightOf(p);
@@ -392,7 +393,7 @@ private:
       TriangleDivision division(surface_.vertices, c, axisOf(surface_.corners(t)), {});
       for (std::size_t i = 0; i < 3; ++i)
       {
-        division.divideEdge(i, pointsOn(onEdge_, c[i], c[(i + 1) % 3]));
+        division.divideEdge(i, pointsOn(onEdge_, c[i], following(c, i)));
       }
       const auto marks = marks_.find(sorted(c));
       if (marks != marks_.end())
@@ -418,7 +419,7 @@ private:
       std::array<std::vector<std::uint32_t>, 3> paths;
       for (std::size_t i = 0; i < 3; ++i)
       {
-        const auto path = paths_.find({ c[i], c[(i + 1) % 3] });
+        const auto path = paths_.find({ c[i], following(c, i) });
         paths[i] = path == paths_.end() ? std::vector<std::uint32_t>() : path->second;
       }
       for (std::uint32_t& v : c)

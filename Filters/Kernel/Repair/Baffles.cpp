@@ -3,6 +3,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Error.h"
+#include "Base/Rings.h"
 #include "Lattice/Vector.h"
 #include "Repair/BaffleRims.h"
 #include "Surface/LineCrossings.h"
@@ -127,7 +128,7 @@ private:
     for (std::size_t i = 0; i < uses.size(); ++i)
     {
       const EdgeUse& use = uses[i];
-      const EdgeUse& next = uses[(i + 1) % uses.size()];
+      const EdgeUse& next = following(uses, i);
       const std::uint32_t left = use.down() ? behind(use.triangle()) : front(use.triangle());
       const std::uint32_t right = next.down() ? front(next.triangle()) : behind(next.triangle());
       if ((left == None) != (right == None))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/ComponentIntersections.h"
 
+#include "Base/Rings.h"
 #include "Lattice/Vector.h"
 #include "Repair/Snapping.h"
 
@@ -17,7 +18,7 @@ double distanceToEdges(const Corners& corners, const Vector& place)
   double least = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const Vector along = unit(minus(corners[(i + 1) % 3], corners[i]));
+    const Vector along = unit(minus(following(corners, i), corners[i]));
     least = std::min(least, norm(cross(along, minus(place, toVector(corners[i])))));
   }
   return least;
@@ -44,8 +45,9 @@ std::array<double, 2> reachOf(const Corners& triangle, const Corners& other, dou
 
 }
 
-ComponentIntersections::ComponentIntersections(const Surface& surface, const Sheets& sheets,
-  const std::vector<TrianglePair>& pairs, const std::vector<double>& volume)
+ComponentIntersections::ComponentIntersections(const Surface& surface,
+  const ManifoldComponents& sheets, const std::vector<TrianglePair>& pairs,
+  const std::vector<double>& volume)
 {
   const double snap = placingOf(surface).snap;
   for (const TrianglePair& pair : pairs)

@@ -7,7 +7,7 @@
 // however the file rounds its feet.
 #pragma once
 
-#include "Repair/Sheets.h"
+#include "Repair/ManifoldComponents.h"
 #include "Repair/TrianglePairs.h"
 
 #include <map>
@@ -19,7 +19,7 @@ class ComponentIntersections
 {
 public:
   // `pairs`: of triangles that cross. `volume`: of each sheet, with all triangles facing as its first.
-  ComponentIntersections(const Surface& surface, const Sheets& sheets,
+  ComponentIntersections(const Surface& surface, const ManifoldComponents& sheets,
     const std::vector<TrianglePair>& pairs, const std::vector<double>& volume);
 
   bool cross(std::uint32_t a, std::uint32_t b) const;

@@ -2,6 +2,7 @@
 #include "Repair/Contacts.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Rings.h"
 #include "Repair/EdgePoints.h"
 #include "Repair/NearbyTriangles.h"
 #include "Surface/SurfaceEdges.h"
@@ -191,7 +192,7 @@ private:
       for (std::size_t i = 0; i < 3; ++i)
       {
         const std::uint32_t p = c[i];
-        const std::uint32_t q = c[(i + 1) % 3];
+        const std::uint32_t q = following(c, i);
         if (edges.erase({ q, p }) == 0)
         {
           edges.insert({ p, q });
@@ -235,7 +236,7 @@ private:
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
       const Vector from = toVector(surface_.vertices[loop[i]]);
-      const Vector way = minus(toVector(surface_.vertices[loop[(i + 1) % loop.size()]]), from);
+      const Vector way = minus(toVector(surface_.vertices[following(loop, i)]), from);
       const double along =
         std::clamp(dot(way, minus(place, from)) / std::max(dot(way, way), 1.), 0., 1.);
       const double distance = norm(minus(plus(from, scaled(way, along)), place));
@@ -369,7 +370,7 @@ private:
     const auto i = static_cast<std::size_t>(position);
     const double along = position - static_cast<double>(i);
     const std::uint32_t from = loop[i];
-    const std::uint32_t to = loop[(i + 1) % loop.size()];
+    const std::uint32_t to = following(loop, i);
     if (along == 0)
     {
       return from;
@@ -417,10 +418,10 @@ private:
     std::array<Loop, 3> onEdges;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const auto found = moves.between.find({ c[i], c[(i + 1) % 3] });
+      const auto found = moves.between.find({ c[i], following(c, i) });
       onEdges[i] = isLater && found != moves.between.end()
         ? found->second
-        : pointsOn(onEdge_, c[i], c[(i + 1) % 3]);
+        : pointsOn(onEdge_, c[i], following(c, i));
     }
     for (std::uint32_t& v : c)
     {

@@ -41,8 +41,8 @@ std::vector<double> volumesBelow(const Surface& surface, Execution& execution)
 class Verdict
 {
 public:
-  Verdict(const Surface& surface, const Sheets& sheets, const std::vector<TrianglePair>& pairs,
-    Execution& execution)
+  Verdict(const Surface& surface, const ManifoldComponents& sheets,
+    const std::vector<TrianglePair>& pairs, Execution& execution)
     : sheets_(sheets)
     , votes_(voteOnSheets(surface, sheets, execution))
     , unturned_(surface.triangles.size())
@@ -109,7 +109,7 @@ private:
       VotesPerDissent * fewer >= votes.outward + votes.inward;
   }
 
-  const Sheets& sheets_;
+  const ManifoldComponents& sheets_;
   const RayParityVotes votes_;
   SheetShapes shapes_;
   std::vector<int> depth_;
@@ -122,7 +122,7 @@ private:
 void orient(Surface& surface, const TrianglePairs& pairs, Execution& execution)
 {
   const std::size_t count = surface.triangles.size();
-  const Sheets sheets(surface, SurfaceEdges(surface, execution), execution);
+  const ManifoldComponents sheets(surface, SurfaceEdges(surface, execution), execution);
   const Verdict verdict(surface, sheets, pairs.pairs, execution);
   for (std::size_t t = 0; t < count; ++t)
   {

@@ -2,6 +2,7 @@
 // The triangles at one edge, in the order in which they stand around it. Decided exactly.
 #pragma once
 
+#include "Base/Rings.h"
 #include "Repair/TrianglePlane.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ public:
     }
     for (std::size_t i = 0; i < blades_.size(); ++i)
     {
-      visit(blades_[i], blades_[(i + 1) % blades_.size()]);
+      visit(blades_[i], following(blades_, i));
     }
   }
 

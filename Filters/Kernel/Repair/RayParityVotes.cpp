@@ -31,7 +31,7 @@ struct VotingCrossing
 class VoteCounter
 {
 public:
-  VoteCounter(const Surface& surface, const Sheets& sheets)
+  VoteCounter(const Surface& surface, const ManifoldComponents& sheets)
     : surface_(surface)
     , sheets_(sheets)
     , near_(placingOf(surface).snap)
@@ -179,7 +179,7 @@ private:
   }
 
   const Surface& surface_;
-  const Sheets& sheets_;
+  const ManifoldComponents& sheets_;
   double near_;                    // levels
   std::vector<std::uint8_t> isIn_; // of each sheet: whether the line is in it by its own crossings
   std::vector<std::uint32_t> entered_; // those
@@ -190,7 +190,8 @@ private:
 
 }
 
-RayParityVotes voteOnSheets(const Surface& surface, const Sheets& sheets, Execution& execution)
+RayParityVotes voteOnSheets(
+  const Surface& surface, const ManifoldComponents& sheets, Execution& execution)
 {
   VoteCounter counter(surface, sheets);
   std::array<std::vector<SampleRay>, 3> lines = findSampleRays(surface, sheets, execution);

@@ -6,7 +6,7 @@
 // surface an odd number of times (through a hole) has no vote, nor have crossings at the same level of the lattice.
 #pragma once
 
-#include "Repair/Sheets.h"
+#include "Repair/ManifoldComponents.h"
 
 #include <map>
 
@@ -40,6 +40,7 @@ struct RayParityVotes
     nesting; // of a closed sheet in another, or in AllOpenSheets
 };
 
-RayParityVotes voteOnSheets(const Surface& surface, const Sheets& sheets, Execution& execution);
+RayParityVotes voteOnSheets(
+  const Surface& surface, const ManifoldComponents& sheets, Execution& execution);
 
 }

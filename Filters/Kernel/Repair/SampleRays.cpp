@@ -58,7 +58,7 @@ bool findLine(const Corners& c, const RowAxes& axes, std::size_t corner, SampleR
 class LineFinder
 {
 public:
-  LineFinder(const Surface& surface, const Sheets& sheets, Execution& execution)
+  LineFinder(const Surface& surface, const ManifoldComponents& sheets, Execution& execution)
     : surface_(surface)
     , best_(surface.triangles.size())
   {
@@ -194,7 +194,7 @@ private:
 }
 
 std::array<std::vector<SampleRay>, 3> findSampleRays(
-  const Surface& surface, const Sheets& sheets, Execution& execution)
+  const Surface& surface, const ManifoldComponents& sheets, Execution& execution)
 {
   return LineFinder(surface, sheets, execution).takeLines();
 }

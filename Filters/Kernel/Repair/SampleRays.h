@@ -2,7 +2,7 @@
 // The lines that decide how sheets are oriented: through the largest triangles of each sheet.
 #pragma once
 
-#include "Repair/Sheets.h"
+#include "Repair/ManifoldComponents.h"
 
 namespace cartesian
 {
@@ -28,6 +28,6 @@ struct SampleRay
 
 // The lines along x, y and z.
 std::array<std::vector<SampleRay>, 3> findSampleRays(
-  const Surface& surface, const Sheets& sheets, Execution& execution);
+  const Surface& surface, const ManifoldComponents& sheets, Execution& execution);
 
 }

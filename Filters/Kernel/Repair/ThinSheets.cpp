@@ -2,6 +2,7 @@
 #include "Repair/ThinSheets.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Rings.h"
 #include "Lattice/Vector.h"
 #include "Repair/Arrangement.h"
 #include "Repair/RadialEdgeSort.h"
@@ -171,7 +172,7 @@ private:
   {
     const Triple& v = fronts_[pair];
     const auto at = static_cast<std::size_t>(std::find(v.begin(), v.end(), lower) - v.begin());
-    return v[(at + 1) % 3] == upper;
+    return following(v, at) == upper;
   }
 
   // From the first pair of each sheet on. One with a single side, such as a Moebius strip, gets a fold somewhere.
@@ -314,7 +315,7 @@ private:
         {
           places_[front].vertex = v[i];
         }
-        if (const auto edge = inner_.find(keyOf(v[i], v[(i + 1) % 3])); edge != inner_.end())
+        if (const auto edge = inner_.find(keyOf(v[i], following(v, i))); edge != inner_.end())
         {
           edge->second.normal = plus(edge->second.normal, unit(normal));
         }
@@ -403,7 +404,7 @@ private:
   void addMiddle(std::uint32_t p, std::uint32_t i, std::vector<Sides>& corners)
   {
     const std::uint32_t from = fronts_[p][i];
-    const std::uint32_t to = fronts_[p][(i + 1) % 3];
+    const std::uint32_t to = following(fronts_[p], i);
     const auto edge = inner_.find(keyOf(from, to));
     if (!isJoined(p, i) || !isJoined(p, (i + 1) % 3) || edge == inner_.end())
     {
@@ -446,7 +447,7 @@ private:
     std::vector<std::array<Sides, 3>> parts;
     for (std::size_t i = 0; i < corners.size(); ++i)
     {
-      parts.push_back({ corners[i], corners[(i + 1) % corners.size()], apex });
+      parts.push_back({ corners[i], following(corners, i), apex });
     }
     write(p, parts);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/TriangleDivision.h"
 
+#include "Base/Rings.h"
 #include "Lattice/Vector.h"
 
 #include <algorithm>
@@ -46,8 +47,8 @@ int inCircle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, cons
   for (std::size_t i = 0; i < 3; ++i)
   {
     const PlanePoint& p = from[i];
-    const PlanePoint& q = from[(i + 1) % 3];
-    const PlanePoint& r = from[(i + 2) % 3];
+    const PlanePoint& q = following(from, i);
+    const PlanePoint& r = preceding(from, i);
     sum.add(static_cast<Wide>(p.a) * p.a + static_cast<Wide>(p.b) * p.b,
       static_cast<Wide>(q.a) * r.b - static_cast<Wide>(q.b) * r.a);
   }
@@ -115,7 +116,7 @@ void TriangleDivision::set(std::size_t triangle, const Triple& corners)
   triangles_[triangle] = corners;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const std::uint32_t next = corners[(i + 1) % 3];
+    const std::uint32_t next = following(corners, i);
     triangleAt_[keyOf(corners[i], next)] = static_cast<std::uint32_t>(triangle);
     besides_[corners[i]] = next;
   }
@@ -160,7 +161,7 @@ bool TriangleDivision::isIn(std::uint32_t triangle, const PlanePoint& place) con
   for (std::size_t i = 0; i < 3; ++i)
   {
     const std::uint32_t p = t[i];
-    const std::uint32_t q = t[(i + 1) % 3];
+    const std::uint32_t q = following(t, i);
     const int side = way_ * sign(turn(at_[p], at_[q], place));
     is = is && (side > 0 || (side == 0 && triangleAt_.count(keyOf(q, p)) != 0));
     isAside = isAside || side > 0;
@@ -179,7 +180,7 @@ std::uint32_t TriangleDivision::triangleAround(const PlanePoint& place) const
     for (std::size_t i = 0; i < 3 && next == t; ++i)
     {
       const std::uint32_t p = triangles_[t][i];
-      const std::uint32_t q = triangles_[t][(i + 1) % 3];
+      const std::uint32_t q = following(triangles_[t], i);
       if (way_ * sign(turn(at_[p], at_[q], place)) < 0)
       {
         const auto beyond = triangleAt_.find(keyOf(q, p));
@@ -227,7 +228,7 @@ void TriangleDivision::addInside(std::uint32_t triangle, std::uint32_t point)
   for (std::size_t i = 0; i < 3; ++i)
   {
     const std::uint32_t from = whole[i];
-    const std::uint32_t to = whole[(i + 1) % 3];
+    const std::uint32_t to = following(whole, i);
     if (turnOf(from, to, point) > 0)
     {
       if (!isFirst)
@@ -481,9 +482,9 @@ std::vector<TriangleDivision::Triple> TriangleDivision::finish()
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      if (t[i] < t[(i + 1) % 3])
+      if (t[i] < following(t, i))
       {
-        edges.push_back({ t[i], t[(i + 1) % 3] });
+        edges.push_back({ t[i], following(t, i) });
       }
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/TrianglePairs.h"
 
+#include "Base/Rings.h"
 #include "Repair/TrianglePlane.h"
 #include "Repair/TriangleTree.h"
 
@@ -35,8 +36,8 @@ bool separates(const Corners& a, const Corners& b, int axis)
   for (int i = 0; i < 3; ++i)
   {
     const Point& p = a[i];
-    const Point& q = a[(i + 1) % 3];
-    const int inner = turnAlong(p, q, a[(i + 2) % 3], axis);
+    const Point& q = following(a, i);
+    const int inner = turnAlong(p, q, preceding(a, i), axis);
     if (turnAlong(p, q, b[0], axis) * inner <= 0 && turnAlong(p, q, b[1], axis) * inner <= 0 &&
       turnAlong(p, q, b[2], axis) * inner <= 0)
     {
@@ -75,7 +76,7 @@ bool overlapNearly(const Corners& a, const Corners& b, double distance)
 // Whether a corner lies on one side of the plane and the others do not.
 bool isAlone(const CornerSides& sides, std::size_t i)
 {
-  return sides[i] != 0 && sides[(i + 1) % 3] != sides[i] && sides[(i + 2) % 3] != sides[i];
+  return sides[i] != 0 && following(sides, i) != sides[i] && preceding(sides, i) != sides[i];
 }
 
 // Whether a triangle shares more than a point with the plane, but is not contained in it.
@@ -93,7 +94,7 @@ void putAloneAbove(Corners& t, const CornerSides& sides, Corners& other, CornerS
   {
     ++i;
   }
-  t = { t[i], t[(i + 1) % 3], t[(i + 2) % 3] };
+  t = { t[i], following(t, i), preceding(t, i) };
   if (sides[i] < 0)
   {
     std::swap(other[1], other[2]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report/Canvas.h"
 
+#include "Base/Rings.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -76,7 +78,7 @@ void Canvas::fill(const std::vector<Vector>& polygon, const Colour& colour)
   Vector area{ 0, 0, 0 };
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
-    const Vector& next = polygon[(i + 1) % polygon.size()];
+    const Vector& next = following(polygon, i);
     mean = plus(mean, scaled(polygon[i], 1.0 / static_cast<double>(polygon.size())));
     area = plus(area, cross(minus(polygon[i], polygon[0]), minus(next, polygon[0])));
   }
@@ -88,8 +90,7 @@ void Canvas::fill(const std::vector<Vector>& polygon, const Colour& colour)
   const Vector middle = project(mean);
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
-    fillTriangle(
-      { middle, project(polygon[i]), project(polygon[(i + 1) % polygon.size()]) }, shaded);
+    fillTriangle({ middle, project(polygon[i]), project(following(polygon, i)) }, shaded);
   }
 }
 
@@ -129,7 +130,7 @@ void Canvas::outline(const std::vector<Vector>& polygon, const Colour& colour)
 {
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
-    drawLine(project(polygon[i]), project(polygon[(i + 1) % polygon.size()]), colour);
+    drawLine(project(polygon[i]), project(following(polygon, i)), colour);
   }
 }
 

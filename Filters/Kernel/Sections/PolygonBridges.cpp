@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sections/PolygonBridges.h"
 
+#include "Base/Rings.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,7 +38,7 @@ bool contains(const Ring& ring, const Place& p)
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
     const Place& a = ring[i];
-    const Place& b = ring[(i + 1) % ring.size()];
+    const Place& b = following(ring, i);
     if ((a[1] > p[1]) != (b[1] > p[1]) && (turn(a, b, p) > 0) == (b[1] > a[1]))
     {
       inside = !inside;
@@ -171,7 +173,7 @@ private:
   {
     for (std::size_t i = 0; i < polygon.size(); ++i)
     {
-      if (cross(a, b, at(polygon[i]), at(polygon[(i + 1) % polygon.size()])))
+      if (cross(a, b, at(polygon[i]), at(following(polygon, i))))
       {
         return false;
       }
@@ -180,7 +182,7 @@ private:
       const Ring& ring = rings_[hole];
       for (std::size_t i = 0; i < ring.size(); ++i)
       {
-        if (cross(a, b, ring[i], ring[(i + 1) % ring.size()]))
+        if (cross(a, b, ring[i], following(ring, i)))
         {
           return true;
         }

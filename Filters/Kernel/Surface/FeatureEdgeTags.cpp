@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface/FeatureEdgeTags.h"
 
+#include "Base/Rings.h"
 #include "Surface/Surface.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ constexpr std::uint8_t Knows = 8;
 
 FeatureEdgeTags::Line lineOf(const std::array<std::uint32_t, 3>& triangle, std::size_t edge)
 {
-  const auto [low, high] = std::minmax(triangle[edge], triangle[(edge + 1) % 3]);
+  const auto [low, high] = std::minmax(triangle[edge], following(triangle, edge));
   return { low, high };
 }
 

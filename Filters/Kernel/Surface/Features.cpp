@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface/Features.h"
 
+#include "Base/Rings.h"
 #include "Surface/SurfaceEdges.h"
 
 #include <algorithm>
@@ -150,7 +151,7 @@ private:
 
   static double lengthSquared(const Corners& c, std::size_t edge)
   {
-    const Vector way = minus(c[(edge + 1) % 3], c[edge]);
+    const Vector way = minus(following(c, edge), c[edge]);
     return dot(way, way);
   }
 
@@ -227,8 +228,8 @@ private:
       {
         if ((lines >> i & 1) != 0 && !namesAVertexTwice(v))
         {
-          ends.push_back({ v[i], v[(i + 1) % 3] });
-          ends.push_back({ v[(i + 1) % 3], v[i] });
+          ends.push_back({ v[i], following(v, i) });
+          ends.push_back({ following(v, i), v[i] });
         }
       }
     }

@@ -2,6 +2,7 @@
 // Where axis-parallel lines cross the surface: the rays of section 4.4.
 #pragma once
 
+#include "Base/Rings.h"
 #include "Base/Sorting.h"
 #include "Lattice/TriangleSlicing.h"
 #include "Surface/Surface.h"
@@ -26,7 +27,7 @@ inline CrossedLevels crossedLevels(const Corners& triangle, const RowAxes& axes,
   for (int i = 0; i < 3; ++i)
   {
     const Point& p = triangle[i];
-    const Point& q = triangle[(i + 1) % 3];
+    const Point& q = following(triangle, i);
     if ((p[axes.outer] < outer) != (q[axes.outer] < outer))
     {
       const Level at = crossPlane(p, q, axes.outer, outer)[axes.middle];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface/SizeEstimate.h"
 
+#include "Base/Rings.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -85,7 +87,7 @@ double expectedIntersected(const Shadows& shadows, const std::array<double, 3>& 
   double intersected = 0;
   for (std::size_t x = 0; x < 3; ++x)
   {
-    intersected += shadows[x] / (box[(x + 1) % 3] * box[(x + 2) % 3]);
+    intersected += shadows[x] / (following(box, x) * preceding(box, x));
   }
   return intersected * std::pow(4, depth);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface/SurfaceEdges.h"
 
+#include "Base/Rings.h"
+
 namespace cartesian
 {
 
@@ -16,7 +18,7 @@ SurfaceEdges::SurfaceEdges(const Surface& surface, Execution& execution)
         for (std::size_t i = 0; i < 3 && !namesAVertexTwice(v); ++i)
         {
           const std::uint32_t a = v[i];
-          const std::uint32_t b = v[(i + 1) % 3];
+          const std::uint32_t b = following(v, i);
           add(
             std::min(a, b), EdgeUse{ std::max(a, b), static_cast<std::uint32_t>(2 * t + (a > b)) });
         }

@@ -134,9 +134,9 @@ public:
     decomposition_ = decompose(prepared_, options_, execution_);
   }
 
-  Layers all() const { return decomposition_->allLayers(); }
+  SlabRange all() const { return decomposition_->allLayers(); }
   Boxes boxes() { return boxes(all()); }
-  Boxes boxes(Layers core, int threads = 1)
+  Boxes boxes(SlabRange core, int threads = 1)
   {
     Execution execution(threads);
     return decomposition_->boxes(core, execution);

@@ -127,7 +127,7 @@ TEST(MayCollapse, ChargesForAnEdgeThatMoves)
     } }));
     of.node({ 1, 0, -off }).kind = NodeKind::OnEdge;
     const bool may = of.may({ 1, 0, -off }, { 2, 0, 0 });
-    EXPECT_EQ(may, off < of.rules.spec.mostMoved);
+    EXPECT_EQ(may, off < of.rules.objective.mostMoved);
     EXPECT_GT(of.charge, 0);
   }
 }
@@ -286,7 +286,7 @@ TEST(Decide, ByTheGain)
   const EditRules rules;
   const MeshEditor::Mark mark = mesh.mark();
   mesh.moveNode(nodeAt(mesh, { 1.25, 1.25, 1.25 }), { 1, 1, 1 });
-  ASSERT_TRUE(updateAndValidate(mesh, rules.spec));
+  ASSERT_TRUE(updateAndValidate(mesh, rules.objective));
   const double gain = decide(mesh, rules, mark, 1, 0);
   EXPECT_DOUBLE_EQ(gain, -mesh.delta.cost);
   EXPECT_GT(gain, 0);
@@ -299,7 +299,7 @@ TEST(Decide, RefusesWhatFails)
   const EditRules rules;
   const MeshEditor::Mark mark = mesh.mark();
   mesh.moveNode(nodeAt(mesh, { 1, 1, 1 }), { 2.5, 2.5, 1.5 });
-  if (updateAndValidate(mesh, rules.spec))
+  if (updateAndValidate(mesh, rules.objective))
   {
     EXPECT_GT(mesh.delta.failures, 0);
     EXPECT_EQ(decide(mesh, rules, mark, 1, -1e9), -std::numeric_limits<double>::infinity());
@@ -314,10 +314,10 @@ TEST(Decide, RefusesWallsThatMoveFar)
     const EditRules rules;
     const MeshEditor::Mark mark = mesh.mark();
     mesh.moveNode(nodeAt(mesh, { 1, 1, 0 }), { 1, 1, -height });
-    ASSERT_TRUE(updateAndValidate(mesh, rules.spec));
+    ASSERT_TRUE(updateAndValidate(mesh, rules.objective));
     EXPECT_NEAR(mesh.delta.volume, 4 * height / 4, 1e-12); // fans about the means of corners
     EXPECT_EQ(mesh.delta.failures, 0);
-    EXPECT_EQ(decide(mesh, rules, mark, 1, -1e9) > -1e9, height < rules.spec.mostMoved);
+    EXPECT_EQ(decide(mesh, rules, mark, 1, -1e9) > -1e9, height < rules.objective.mostMoved);
   }
 }
 

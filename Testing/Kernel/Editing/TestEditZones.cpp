@@ -1,7 +1,7 @@
 // Walls edited in zones: each cell once, zones apart from each other, and the same bits on any number of threads.
 #include "Base/Error.h"
 #include "Editing/EditZones.h"
-#include "Editing/EditableWall.h"
+#include "Editing/WallOpening.h"
 #include "Support/MeshChecker.h"
 #include "Support/WallCases.h"
 

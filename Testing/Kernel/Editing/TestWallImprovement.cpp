@@ -1,10 +1,10 @@
 // The wall as a whole, from raw cells to the mesh.
 #include "Editing/EditLoop.h"
 #include "Editing/EditMeasures.h"
-#include "Editing/EditableWall.h"
 #include "Editing/ShortEdges.h"
 #include "Editing/TrueVolume.h"
 #include "Editing/WallCentring.h"
+#include "Editing/WallOpening.h"
 #include "Editing/WallSimplification.h"
 #include "Support/MeshChecker.h"
 #include "Support/WallCases.h"
@@ -270,14 +270,14 @@ TEST(WallImprovement, DeficitsAreWhatTheVolumeLacks)
   };
   const LoopSpec spec;
   const auto poll = [] {};
-  costAll(whole, spec.rules.spec, execution);
+  costAll(whole, spec.rules.objective, execution);
   const double before = together();
   editInZones(whole, execution, [&](const ZoneTask& task) {
     simplifyWalls(task, SimplificationSpec(), spec.rules, poll);
     snapEdges(task, spec.rules, SnapSpec(), poll);
   });
   EXPECT_NEAR(together(), before, 1e-9 * before);
-  redistributeVolume(whole, spec.rules.spec, execution);
+  redistributeVolume(whole, spec.rules.objective, execution);
   EXPECT_NEAR(together(), before, 1e-9 * before);
   editInZones(whole, execution, [&](const ZoneTask& task) { improve(task, spec, poll); });
   EXPECT_NEAR(together(), before, 1e-9 * before);

@@ -220,7 +220,7 @@ TEST(Resources, MemoryIsEstimated)
     Execution execution;
     const PreparedSurface prepared = prepareSurface(soup.view(), options, execution);
     const auto decomposition = decompose(prepared, options, execution);
-    const Layers all = decomposition->allLayers();
+    const SlabRange all = decomposition->allLayers();
     const Boxes boxes = decomposition->boxes(all, execution);
     const double estimated =
       decomposition->together(estimateLayers(decomposition->shoeboxes(), boxes, execution), all)

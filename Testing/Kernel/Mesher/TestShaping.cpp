@@ -120,7 +120,7 @@ TEST(Shaping, CollapsedEdgesKeepTheVolumeOfExactFit)
   {
     SCOPED_TRACE(seed);
     const Soup soup = starPolyhedron(seed, 3);
-    options.collapse.ratio = seed % 2 == 0 ? 0.1 : CollapseSpec::Ratios.most;
+    options.collapse.ratio = seed % 2 == 0 ? 0.1 : ShortEdgeSpec::Ratios.most;
     const MeshArrays mesh = meshOf(soup, cellsAlongLongest(soup, 12.3 + seed), options).mesh;
     EXPECT_TRUE(isValid(mesh, true));
     EXPECT_TRUE(fills(mesh, soup));

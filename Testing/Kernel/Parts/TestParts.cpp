@@ -42,14 +42,14 @@ public:
   {
   }
 
-  std::vector<Layers> split(std::size_t count)
+  std::vector<SlabRange> split(std::size_t count)
   {
     return decomposition_->split(decomposition_->estimateLayers(execution_), count);
   }
 
-  std::vector<Layers> eachLayer() const
+  std::vector<SlabRange> eachLayer() const
   {
-    std::vector<Layers> layers;
+    std::vector<SlabRange> layers;
     for (std::uint32_t k = 0; k < decomposition_->allLayers().end; ++k)
     {
       layers.push_back({ k, k + 1 });
@@ -57,7 +57,7 @@ public:
     return layers;
   }
 
-  Part part(Layers core, Id pointsBefore)
+  Part part(SlabRange core, Id pointsBefore)
   {
     const auto assembly = meshPart(prepared_, *decomposition_, core, options_, execution_);
     const OutputMesh& mesh = *assembly->mesh;
@@ -198,13 +198,14 @@ void expectSame(std::map<std::string, double> one, std::map<std::string, double>
   EXPECT_EQ(one, other);
 }
 
-void expectUnion(Parts& parts, const Meshed& whole, const std::vector<std::vector<Layers>>& splits)
+void expectUnion(
+  Parts& parts, const Meshed& whole, const std::vector<std::vector<SlabRange>>& splits)
 {
-  for (const std::vector<Layers>& split : splits)
+  for (const std::vector<SlabRange>& split : splits)
   {
     SCOPED_TRACE(std::to_string(split.size()) + " parts");
     Union all;
-    for (const Layers& core : split)
+    for (const SlabRange& core : split)
     {
       all.add(parts.part(core, all.ownPoints()));
     }
@@ -217,7 +218,7 @@ void expectUnion(Parts& parts, const Meshed& whole, const std::vector<std::vecto
 void expectUnion(const Soup& soup, const GridSpec& grid, const TestOptions& options)
 {
   Parts parts(soup, grid, options);
-  std::vector<std::vector<Layers>> splits = { parts.eachLayer() };
+  std::vector<std::vector<SlabRange>> splits = { parts.eachLayer() };
   for (const std::size_t count : cases<std::size_t>({ 1, 2, 3, 5 }))
   {
     splits.push_back(parts.split(count));

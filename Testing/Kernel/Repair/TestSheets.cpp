@@ -1,5 +1,5 @@
 // Sheets: which triangles belong together, and how each is turned.
-#include "Repair/Sheets.h"
+#include "Repair/ManifoldComponents.h"
 #include "Support/Pipeline.h"
 
 using namespace cartesian;
@@ -33,7 +33,7 @@ TEST(Sheets, FindWhichTrianglesWereFlipped)
   {
     std::vector<bool> flipped;
     const Surface surface = flippedAtRandom(soup, seed, flipped);
-    const Sheets sheets(surface, SurfaceEdges(surface, execution), execution);
+    const ManifoldComponents sheets(surface, SurfaceEdges(surface, execution), execution);
     EXPECT_TRUE(sheets.closed(0));
     for (std::size_t t = 0; t < flipped.size(); ++t)
     {
@@ -50,7 +50,7 @@ TEST(Sheets, OfSeparateBodiesAreSeparate)
   soup.add(cube().moved({ 2, 0, 0 }));
   std::vector<bool> flipped;
   const Surface surface = flippedAtRandom(soup, 1, flipped);
-  const Sheets sheets(surface, SurfaceEdges(surface, execution), execution);
+  const ManifoldComponents sheets(surface, SurfaceEdges(surface, execution), execution);
   for (std::size_t t = 0; t < 24; ++t)
   {
     EXPECT_EQ(sheets.of(t), t < 12 ? 0u : 12u);
@@ -62,5 +62,5 @@ TEST(Sheets, WithABorderAreOpen)
   Execution execution;
   Surface surface = prepare(cube(), cellsOf(0.5)).surface;
   surface.triangles.pop_back();
-  EXPECT_FALSE(Sheets(surface, SurfaceEdges(surface, execution), execution).closed(0));
+  EXPECT_FALSE(ManifoldComponents(surface, SurfaceEdges(surface, execution), execution).closed(0));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Repair/Sheets.h"
+#include "Repair/ManifoldComponents.h"
 
 #include "Surface/Components.h"
 
@@ -9,7 +9,8 @@
 namespace cartesian
 {
 
-Sheets::Sheets(const Surface& surface, const SurfaceEdges& edges, Execution& execution)
+ManifoldComponents::ManifoldComponents(
+  const Surface& surface, const SurfaceEdges& edges, Execution& execution)
   : parent_(surface.triangles.size())
   , turned_(surface.triangles.size())
   , open_(surface.triangles.size())
@@ -30,7 +31,7 @@ Sheets::Sheets(const Surface& surface, const SurfaceEdges& edges, Execution& exe
 }
 
 // Once each triangle's parent is its root.
-void Sheets::findOpen(const SurfaceEdges& edges, Execution& execution)
+void ManifoldComponents::findOpen(const SurfaceEdges& edges, Execution& execution)
 {
   std::vector<std::vector<std::uint32_t>> parts(edges.chunkCount());
   edges.forEach(
@@ -52,7 +53,7 @@ void Sheets::findOpen(const SurfaceEdges& edges, Execution& execution)
 
 // Joins sheets that close only together, in components whose triangles were all given with consistent
 // directions.
-void Sheets::joinAsGiven(const Surface& surface, const SurfaceEdges& edges)
+void ManifoldComponents::joinAsGiven(const Surface& surface, const SurfaceEdges& edges)
 {
   bool any = false;
   edges.forEach(
@@ -92,7 +93,7 @@ void Sheets::joinAsGiven(const Surface& surface, const SurfaceEdges& edges)
 
 // How many more triangles of a sheet run down an edge than up it, if all agree with the sheet's
 // first.
-int Sheets::netUse(std::uint32_t sheet, const EdgeUse* begin, const EdgeUse* end)
+int ManifoldComponents::netUse(std::uint32_t sheet, const EdgeUse* begin, const EdgeUse* end)
 {
   int net = 0;
   for (const EdgeUse* use = begin; use != end; ++use)
@@ -106,7 +107,7 @@ int Sheets::netUse(std::uint32_t sheet, const EdgeUse* begin, const EdgeUse* end
 }
 
 // The root, after compressing the path to it.
-std::uint32_t Sheets::find(std::uint32_t t)
+std::uint32_t ManifoldComponents::find(std::uint32_t t)
 {
   std::uint32_t root = t;
   std::uint8_t turned = 0;
@@ -128,7 +129,7 @@ std::uint32_t Sheets::find(std::uint32_t t)
 }
 
 // The lower root wins. A contradiction (a Moebius band) is left where it is found.
-void Sheets::join(std::uint32_t a, std::uint32_t b, bool opposite)
+void ManifoldComponents::join(std::uint32_t a, std::uint32_t b, bool opposite)
 {
   const std::uint32_t rootA = find(a);
   const std::uint32_t rootB = find(b);

@@ -7,7 +7,7 @@
 namespace cartesian
 {
 
-struct ShapingSpec
+struct CellShapeSpec
 {
   static constexpr Range MergeRatios{ 0, 1, false };
   static constexpr Range RefusedCellRatios{ 0 };

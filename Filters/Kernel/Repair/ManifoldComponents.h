@@ -9,10 +9,10 @@ namespace cartesian
 {
 
 // Disjoint sets (union-find) that also keep each member's orientation relative to its root.
-class Sheets
+class ManifoldComponents
 {
 public:
-  Sheets(const Surface& surface, const SurfaceEdges& edges, Execution& execution);
+  ManifoldComponents(const Surface& surface, const SurfaceEdges& edges, Execution& execution);
 
   // The sheet's number: that of its first triangle.
   std::uint32_t of(std::size_t triangle) const { return parent_[triangle]; }

@@ -7,7 +7,7 @@
 namespace cartesian
 {
 
-struct CollapseSpec
+struct ShortEdgeSpec
 {
   static constexpr Range Ratios{ 0, 0.3 };
 

@@ -60,8 +60,4 @@ struct OpeningSpec
 
 EditableWall openWall(const MeshParts& parts, const OpeningSpec& spec, Execution& execution);
 
-// Writes what changed. Hexahedra that did become polyhedra; all else keeps its numbers.
-void closeWall(const EditableWall& edited, const Boxes& boxes, const Walls& walls, Sides& sides,
-  Nodes& nodes, WallMesh& wall, Execution& execution);
-
 }

@@ -1,6 +1,6 @@
 // The mesh at the wall as one that can be edited, and back.
-#include "Editing/EditableWall.h"
 #include "Editing/PrimitiveEdits.h"
+#include "Editing/WallClosing.h"
 #include "Support/MeshChecker.h"
 
 #include <gtest/gtest.h>
