@@ -142,28 +142,18 @@ void holeAtKink(Folder& folder)
   const double radius = 2, middle = 8, height = 10.2, slope = 3.0 / 5; // in the middle of the hole
   const gp_Ax2 axis(gp_Pnt(middle, KinksDepth / 2, -5), gp::DZ());
   const TopoDS_Shape shape = cut(kinkedShape(), cylinder(axis, radius, 40));
-  for (const double size : { 0.1, 1.0, 10.0 })
-  {
-    for (const int degrees : { 0, 10, 30, 45 })
-    {
-      gp_Trsf scaling;
-      scaling.SetScale(gp::Origin(), size);
-      gp_Trsf turn;
-      turn.SetRotation(gp_Ax1(gp::Origin(), gp_Dir(1, 2, 3)), degrees * Degree);
-      SolidFacts solid = kinkedFacts();
-      const double section = Pi * radius * radius;
-      solid.volume = (solid.volume - section * height) * std::pow(size, 3);
-      solid.area = (solid.area - section * (1 + std::hypot(1, slope)) + 2 * Pi * radius * height) *
-        std::pow(size, 2);
-      Facts facts;
-      facts.solids = { solid };
-      facts.faces = 7;
-      facts.integrals = Integrals::AcrossKinks;
-      folder.brep("hole_at_kink_" + std::to_string(static_cast<int>(10 * size)) + "_" +
-          std::to_string(degrees) + ".brep",
-        moved(shape, turn * scaling), facts);
-    }
-  }
+  forEachPlace([&](double size, const gp_Trsf& place, const std::string& name) {
+    SolidFacts solid = kinkedFacts();
+    const double section = Pi * radius * radius;
+    solid.volume = (solid.volume - section * height) * std::pow(size, 3);
+    solid.area = (solid.area - section * (1 + std::hypot(1, slope)) + 2 * Pi * radius * height) *
+      std::pow(size, 2);
+    Facts facts;
+    facts.solids = { solid };
+    facts.faces = 7;
+    facts.integrals = Integrals::AcrossKinks;
+    folder.brep("hole_at_kink_" + name + ".brep", moved(shape, place), facts);
+  });
 }
 
 // Two pipes of one radius through each other, which share Steinmetz's solid: 16/3 r^3, and 16 r^2 of their walls.

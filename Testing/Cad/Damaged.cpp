@@ -11,10 +11,8 @@
 #include <Geom2d_Line.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <gp_Ax1.hxx>
 
 #include <cmath>
-#include <functional>
 #include <string>
 
 namespace cartesian
@@ -24,24 +22,6 @@ namespace
 {
 
 constexpr double EdgeTolerance = 1e-7;
-
-// Three sizes, turned.
-void forEachPlace(
-  const std::function<void(double size, const gp_Trsf& place, const std::string& name)>& make)
-{
-  for (const double size : { 0.1, 1.0, 10.0 })
-  {
-    for (const int degrees : { 0, 10, 30, 45 })
-    {
-      gp_Trsf scaling;
-      scaling.SetScale(gp::Origin(), size);
-      gp_Trsf turn;
-      turn.SetRotation(gp_Ax1(gp::Origin(), gp_Dir(1, 2, 3)), degrees * Degree);
-      make(size, turn * scaling,
-        std::to_string(std::lround(10 * size)) + "_" + std::to_string(degrees));
-    }
-  }
-}
 
 // A line by the ends of what is on it, as long as the edge.
 Handle(Geom2d_Line) line(const gp_Pnt2d& start, const gp_Pnt2d& end, double first)

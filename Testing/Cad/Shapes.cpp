@@ -17,7 +17,9 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <gp_Ax1.hxx>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace cartesian
@@ -184,6 +186,28 @@ SolidFacts boxWithHoleFacts(const std::string& name, double x, double y, double 
 SolidFacts boxFacts(const std::string& name, double x, double y, double z)
 {
   return { name, x * y * z, 2 * (x * y + y * z + z * x) };
+}
+
+gp_Trsf turnOf(int degrees)
+{
+  gp_Trsf turn;
+  turn.SetRotation(gp_Ax1(gp::Origin(), gp_Dir(1, 2, 3)), degrees * Degree);
+  return turn;
+}
+
+void forEachPlace(
+  const std::function<void(double size, const gp_Trsf& place, const std::string& name)>& make)
+{
+  for (const double size : { 0.1, 1.0, 10.0 })
+  {
+    for (const int degrees : { 0, 10, 30, 45 })
+    {
+      gp_Trsf scaling;
+      scaling.SetScale(gp::Origin(), size);
+      make(size, turnOf(degrees) * scaling,
+        std::to_string(std::lround(10 * size)) + "_" + std::to_string(degrees));
+    }
+  }
 }
 
 }

@@ -9,6 +9,7 @@
 #include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -45,5 +46,12 @@ TopoDS_Edge edgeBetween(const TopoDS_Shape& shape, const gp_Pnt& start, const gp
 TopoDS_Shape boxWithHole(double x, double y, double z, double radius);
 SolidFacts boxWithHoleFacts(const std::string& name, double x, double y, double z, double radius);
 SolidFacts boxFacts(const std::string& name, double x, double y, double z);
+
+// About an axis across none of a grid's.
+gp_Trsf turnOf(int degrees);
+
+// Three sizes at four turns, with a name for each.
+void forEachPlace(
+  const std::function<void(double size, const gp_Trsf& place, const std::string& name)>& make);
 
 }

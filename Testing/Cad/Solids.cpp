@@ -112,8 +112,7 @@ void apart(Folder& folder)
 void bend(Folder& folder, double size, int degrees)
 {
   const double arc = 0.5, large = 30 * size, inner = 10 * size, outer = 11 * size;
-  gp_Trsf turn;
-  turn.SetRotation(gp_Ax1(gp::Origin(), gp_Dir(1, 2, 3)), degrees * Degree);
+  const gp_Trsf turn = turnOf(degrees);
   const gp_Ax2 middle(gp_Pnt(large, 0, 0), gp::DZ(), -gp::DX());
   const gp_Circ path(gp_Ax2(gp::Origin(), -gp::DY(), gp::DX()), large);
   const TopoDS_Wire arcs =

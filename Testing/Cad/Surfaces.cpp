@@ -155,8 +155,7 @@ void strayTube(Folder& folder)
     rectangle(low.Translated(x + y), -x, z), rectangle(low.Translated(y), -y, z) });
   for (const int degrees : { 0, 10, 30, 45 })
   {
-    gp_Trsf turn;
-    turn.SetRotation(gp_Ax1(gp::Origin(), gp_Dir(1, 2, 3)), degrees * Degree);
+    const gp_Trsf turn = turnOf(degrees);
     Document document;
     document.add(moved(box({ -10, -6, -5 }, { 10, 6, 5 }), turn), "body");
     document.add(moved(tube, turn), "tube");
@@ -204,8 +203,7 @@ void touchingFaces(Folder& folder)
   {
     for (const int degrees : { 0, 10, 30, 45 })
     {
-      gp_Trsf turn;
-      turn.SetRotation(gp_Ax1(gp::Origin(), gp_Dir(1, 2, 3)), degrees * Degree);
+      const gp_Trsf turn = turnOf(degrees);
       const std::string name = "touching_" + std::to_string(static_cast<int>(10 * size)) + "_" +
         std::to_string(degrees) + ".igs";
       Facts facts;

@@ -127,7 +127,7 @@ bool updateCells(MeshEditor& mesh)
 }
 
 // All faces of the dirty cells, those that changed themselves first: they decide most trials.
-class FacesToSettle
+class FacesToUpdate
 {
 public:
   // False: there are more than is worth a trial.
@@ -384,7 +384,7 @@ bool mayLeaveDeficit(const MeshEditor& mesh, const ObjectiveSpec& spec, double b
 
 bool updateAndValidate(MeshEditor& mesh, const ObjectiveSpec& spec, const NeededGain& needed)
 {
-  FacesToSettle faces;
+  FacesToUpdate faces;
   const auto most = [&] { // that all faces and cells may cost, with the volume as it is
     return mesh.delta.cost + gainOf(mesh, spec, needed.box) - needed.gain;
   };

@@ -61,7 +61,7 @@ bool mayJoin(
 // Whether two cells may become one, as far as their size goes.
 bool mayMerge(const MeshView& mesh, const EditRules& rules, std::uint32_t a, std::uint32_t b);
 
-// The gain of settled edits since the mark, or NoGain: not more than `least`.
+// The gain of edits since the mark, once they are valid, or NoGain: not more than `least`.
 double decide(const MeshEditor& mesh, const EditRules& rules, const MeshEditor::Mark& mark,
   double box, double least);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The edits of which all others are made. Each changes what it must and leaves the rest to be settled (EditDecision.h):
+// The edits of which all others are made. Each changes what it must and marks the rest as dirty (EditDecision.h):
 // it returns false where the mesh has no place for it, and then has to be undone, as where the result is not valid.
 // None looks at quality. They stay within free cells (EditMesh.h).
 #pragma once

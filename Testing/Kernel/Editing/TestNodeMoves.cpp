@@ -43,10 +43,10 @@ struct Moved
 };
 
 const Vector Inside{ 1, 1, 1 };
-const Vector AtTop{ 1, 1, 2 };
+const Vector OnWall{ 1, 1, 2 };
 const Vector OnRim{ 1, 0, 2 };
 const Vector Aside{ 0.5, -0.375, 0.4375 };
-const Vector AlongTop{ 0.625, -0.5, 0 };
+const Vector AlongWall{ 0.625, -0.5, 0 };
 const Vector AlongRim{ 0.75, 0, 0 };
 
 constexpr double Levels = 1e-13;  // places are whole levels: 2^-46
@@ -58,7 +58,7 @@ constexpr double Rounding = 1e-9; // of costs
 TEST(NodeMoves, GainWhatTheySay)
 {
   for (const auto& [from, by] :
-    { std::pair{ Inside, Aside }, { AtTop, AlongTop }, { OnRim, AlongRim } })
+    { std::pair{ Inside, Aside }, { OnWall, AlongWall }, { OnRim, AlongRim } })
   {
     Moved moved(from, by);
     const MeshEditor before = copyOf(moved.mesh);
@@ -82,7 +82,7 @@ TEST(NodeMoves, GainWhatTheySay)
 
 TEST(NodeMoves, AreNoneWhereNothingIsWrong)
 {
-  for (const Vector& at : { Inside, AtTop, OnRim })
+  for (const Vector& at : { Inside, OnWall, OnRim })
   {
     EXPECT_EQ(Moved(at, {}).find(), NoGain);
   }
@@ -127,7 +127,7 @@ TEST(NodeMoves, StayOnTheSurfaceAndOnTheEdge)
 {
   for (const Turn& turn : turns())
   {
-    Moved top(AtTop, AlongTop, turn);
+    Moved top(OnWall, AlongWall, turn);
     ASSERT_EQ(top.mesh.node(top.node).kind, NodeKind::OnSurface);
     ASSERT_GT(top.find(), 0);
     EXPECT_NEAR(top.step()[(2 + turn.axes) % 3], 0, Levels);
@@ -147,7 +147,7 @@ TEST(NodeMoves, StayOnTheSurfaceAndOnTheEdge)
 
 TEST(NodeMoves, StayWithinTheirMaxDisplacement)
 {
-  for (const auto& [from, by] : { std::pair{ AtTop, AlongTop }, { OnRim, AlongRim } })
+  for (const auto& [from, by] : { std::pair{ OnWall, AlongWall }, { OnRim, AlongRim } })
   {
     Moved moved(from, by);
     ASSERT_GT(moved.find(), 0);
@@ -171,7 +171,7 @@ TEST(NodeMoves, StayWithinTheirMaxDisplacement)
 TEST(NodeMoves, DoNotDependOnAxesAndPlace)
 {
   for (const auto& [from, by] :
-    { std::pair{ Inside, Aside }, { AtTop, AlongTop }, { OnRim, AlongRim } })
+    { std::pair{ Inside, Aside }, { OnWall, AlongWall }, { OnRim, AlongRim } })
   {
     Moved first(from, by);
     const double gain = first.find();

@@ -201,7 +201,7 @@ TEST(CouldRemove, AtAWallAtNoOtherRegion)
 {
   EXPECT_TRUE(couldRemove(thinTop(1.0 / 64), Top));
   std::vector<TestBox> boxes = blockOfBoxes(3, 3, 2);
-  boxes[Top].region = 1;
+  boxes[Top + 2].region = 1; // beside it
   EXPECT_FALSE(couldRemove(meshOfBoxes(boxes, { withThinTop(1.0 / 64) }), Top));
   EXPECT_FALSE(couldRemove(meshOfBoxes(blockOfBoxes(3, 3, 3)), 13)); // inside
 }

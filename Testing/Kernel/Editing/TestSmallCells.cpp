@@ -53,20 +53,10 @@ Taker withoutMerging(bool removes = true)
   return taker;
 }
 
-double sumOfDeficits(const MeshView& mesh)
-{
-  double sum = 0;
-  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
-  {
-    sum += !mesh.face(f).gone && mesh.isWall(f) ? mesh.face(f).volumeDeficit : 0;
-  }
-  return sum;
-}
-
 }
 
 // The cell below has 1 in common with it, each beside it a 64th.
-TEST(SmallCells, MergeAcrossTheLargestFace)
+TEST(SmallCells, MergeWithTheCellBelow)
 {
   for (const Turn& turn : turns())
   {

@@ -40,16 +40,6 @@ MeshEditor risen(int n)
   return mesh;
 }
 
-double sumOfDeficits(const MeshEditor& mesh)
-{
-  double sum = 0;
-  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
-  {
-    sum += mesh.isWall(f) ? mesh.signOf(f) * mesh.face(f).volumeDeficit : 0;
-  }
-  return sum;
-}
-
 }
 
 TEST(VolumeDeficits, OfManyWallsArePassedOnInFull)

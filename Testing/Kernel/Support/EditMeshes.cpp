@@ -757,6 +757,16 @@ double volumeBehindWalls(const MeshView& mesh)
   return volume;
 }
 
+double sumOfDeficits(const MeshView& mesh)
+{
+  double sum = 0;
+  for (std::uint32_t f = 0; f < mesh.faceCount(); ++f)
+  {
+    sum += !mesh.face(f).gone && mesh.isWall(f) ? mesh.signOf(f) * mesh.face(f).volumeDeficit : 0;
+  }
+  return sum;
+}
+
 double sumOfCosts(const MeshView& mesh)
 {
   double sum = 0;

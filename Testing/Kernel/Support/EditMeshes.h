@@ -77,6 +77,9 @@ std::size_t countFaces(const MeshView& mesh);
 double volumeOf(const MeshView& mesh, std::uint32_t cell);
 double volumeOf(const MeshView& mesh);
 double volumeBehindWalls(const MeshView& mesh);
+// What the walls owe, positive where the mesh should have more.
+double sumOfDeficits(const MeshView& mesh);
+
 double sumOfCosts(const MeshView& mesh);
 
 // The first thing wrong with the mesh, or nothing: each directed edge of a cell's faces once, with its reverse once; its
