@@ -55,6 +55,15 @@ struct Sides
   std::vector<std::size_t> boxStart; // first of each polyhedral box's sides in ofBox, and the end
   RawVector<SideOfBox> ofBox;
 
+  // Once cells are assembled: only which boxes are polyhedral is still asked.
+  void forgetSides()
+  {
+    RawVector<Side>().swap(common);
+    RawVector<SideOfBox>().swap(ofBox);
+    std::vector<std::size_t>().swap(ownStart);
+    std::vector<std::size_t>().swap(boxStart);
+  }
+
   // A box's number among the polyhedral ones, or None.
   std::uint32_t polyhedralOrdinal(std::uint32_t box) const
   {

@@ -2,26 +2,14 @@
 #include "Cells/Boundary.h"
 
 #include "Base/Sorting.h"
-#include "Cells/Cells.h"
-#include "Lattice/NearestPlace.h"
 
 #include <algorithm>
-#include <functional>
-#include <limits>
 
 namespace cartesian
 {
 
 namespace
 {
-
-// What lies on one side of an inner face.
-struct OtherSide
-{
-  std::uint32_t cell = None;          // number of the cell there, if it was not removed
-  std::int32_t boundary = NoBoundary; // else the boundary that the face belongs to
-  std::uint32_t box = None;           // ... or the nearest in this box, if it has several
-};
 
 constexpr std::size_t ItemsAChunk = 1024;
 
@@ -45,33 +33,6 @@ std::vector<BoundaryFace> facesOfEach(
   return all;
 }
 
-// The mean of a face's nodes, in levels.
-Vector middleOf(const MeshParts& parts, std::size_t face)
-{
-  Vector sum{};
-  double count = 0;
-  parts.wall.faces.forEachNode({ face, false }, [&](std::uint32_t node) {
-    sum = plus(sum, minus(parts.nodes.at[node], Point{}));
-    ++count;
-  });
-  return scaled(sum, 1 / count);
-}
-
-// From a patch to a place.
-double distanceOf(const MeshParts& parts, std::size_t patch, const Vector& place)
-{
-  const WallFaces& faces = parts.wall.faces;
-  const auto corner = [&](std::size_t i) { return parts.nodes.at[faces.corners[i]]; };
-  const std::size_t first = faces.start[patch];
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = first + 1; i + 1 < faces.start[patch + 1]; ++i)
-  {
-    const Corners triangle{ corner(first), corner(i), corner(i + 1) };
-    nearest = std::min(nearest, norm(minus(nearestPlace(triangle, place), place)));
-  }
-  return nearest;
-}
-
 class Collector
 {
 public:
@@ -85,22 +46,14 @@ public:
   {
     using Faces = std::vector<BoundaryFace>;
     const Boxes& boxes = parts_.boxes;
-    const WallFaces& all = parts_.wall.faces;
     const auto& flawed = parts_.wall.flawed;
     const bool anywhere = std::find(flawed.begin(), flawed.end(), 1) != flawed.end();
-    Faces exposed = facesOfEach(0, parts_.sides.common.size(), execution,
-      [&](std::size_t s, Faces& faces) { exposeInnerFaces(s, faces); });
-    const Faces others = facesOfEach(all.firstInterface(), all.size(), execution,
-      [&](std::size_t f, Faces& faces) { exposeOther(f, faces); });
+    Faces result = facesOfEach(0, parts_.wall.faces.size(), execution,
+      [&](std::size_t f, Faces& faces) { addFace(f, faces); });
     const Faces ofBoxes = facesOfEach(boxes.row(0, boxes.core.begin), boxes.row(0, boxes.core.end),
       execution, [&](std::size_t row, Faces& faces) { exposeBoxesOfRow(row, anywhere, faces); });
-    exposed.insert(exposed.end(), others.begin(), others.end());
-    exposed.insert(exposed.end(), ofBoxes.begin(), ofBoxes.end());
-    std::sort(exposed.begin(), exposed.end());
-    const Faces patches = facesOfEach(numbers_.coreBegin, numbers_.coreEnd, execution,
-      [&](std::size_t c, Faces& faces) { addPatches(c, faces); });
-    Faces result(patches.size() + exposed.size());
-    std::merge(patches.begin(), patches.end(), exposed.begin(), exposed.end(), result.begin());
+    result.insert(result.end(), ofBoxes.begin(), ofBoxes.end());
+    sortAll(result, execution);
     if (boxes.ends != NoEnds)
     {
       nameEnds(result, execution);
@@ -109,99 +62,33 @@ public:
   }
 
 private:
-  void addPatches(std::size_t c, std::vector<BoundaryFace>& faces) const
+  // None: there is no cell, or it was removed.
+  std::uint32_t numberOf(CellKey cell) const
   {
-    const std::uint32_t number = numbers_.ofCell[c];
-    const WallFaces& all = parts_.wall.faces;
-    const std::size_t before = faces.size();
-    parts_.wall.forEachUse(c, [&](const FaceUse& use) {
-      if (number != None && all.isPatch(use.face))
-      {
-        faces.push_back({ number, use.face, parts_.patches.walls.boundary(all.boundary[use.face]),
-          BoundaryFace::Kind::Patch });
-      }
-    });
-    std::sort(faces.begin() + std::ptrdiff_t(before), faces.end());
-  }
-
-  // `box`: without a cell, the box there, or None.
-  OtherSide sideOf(std::size_t face, std::size_t k, std::uint32_t box = None) const
-  {
-    const CellKey cell = parts_.wall.faces.cells[face][k];
-    if (cell == None)
-    {
-      return { None, parts_.wall.faces.boundary[face], box };
-    }
-    if (isHexahedron(cell))
-    {
-      return { numbers_.ofBox[boxOfHexahedron(cell)], NoBoundary };
-    }
-    const Cell& there = parts_.wall.cells[cell];
-    return { numbers_.ofCell[cell], there.boundary, there.box };
-  }
-
-  std::int32_t wallOf(const OtherSide& gone, std::size_t face) const
-  {
-    return exposedWall(parts_, face, gone.box, gone.boundary);
-  }
-
-  void add(std::uint32_t cell, const FaceUse& use, std::int32_t boundary,
-    std::vector<BoundaryFace>& faces) const
-  {
-    faces.push_back({ cell, use.face, boundary, kindOf(parts_.wall.faces, use) });
-  }
-
-  void expose(const OtherSide& below, const OtherSide& above, std::size_t face,
-    std::vector<BoundaryFace>& faces) const
-  {
-    const Walls& walls = parts_.patches.walls;
-    if (CellNumbers::isHere(below.cell) && above.cell == None)
-    {
-      add(below.cell, { face, false }, walls.boundary(wallOf(above, face)), faces);
-    }
-    if (below.cell == None && CellNumbers::isHere(above.cell))
-    {
-      add(above.cell, { face, true }, walls.boundary(wallOf(below, face)), faces);
-    }
+    return cell == None    ? std::uint32_t(None)
+      : isHexahedron(cell) ? numbers_.ofBox[boxOfHexahedron(cell)]
+                           : numbers_.ofCell[cell];
   }
 
   // Both sides of a face of a baffle are boundary faces.
-  void exposeBaffle(const OtherSide& behind, const OtherSide& front, std::size_t face,
-    std::vector<BoundaryFace>& faces) const
+  void addFace(std::size_t f, std::vector<BoundaryFace>& faces) const
   {
     const Walls& walls = parts_.patches.walls;
-    const std::int32_t wall = parts_.wall.faces.boundary[face];
-    if (!walls.isBaffle(wall) || behind.cell == None || front.cell == None)
+    const WallFaces& all = parts_.wall.faces;
+    const std::int32_t wall = all.boundary[f];
+    const std::array<std::uint32_t, 2> cells{ numberOf(all.cells[f][0]),
+      numberOf(all.cells[f][1]) };
+    for (const std::size_t side : { 0U, 1U })
     {
-      return;
+      const bool isEnd = cells[1 - side] == None;
+      if (CellNumbers::isHere(cells[side]) && (isEnd || walls.isBaffle(wall)))
+      {
+        const bool isFront = !isEnd && side == 1;
+        const FaceUse use(f, side == 1);
+        faces.push_back({ cells[side], f,
+          isFront ? walls.boundaryInFront(wall) : walls.boundary(wall), kindOf(all, use) });
+      }
     }
-    if (CellNumbers::isHere(behind.cell))
-    {
-      add(behind.cell, { face, false }, walls.boundary(wall), faces);
-    }
-    if (CellNumbers::isHere(front.cell))
-    {
-      add(front.cell, { face, true }, walls.boundaryInFront(wall), faces);
-    }
-  }
-
-  void exposeInnerFaces(std::size_t s, std::vector<BoundaryFace>& faces) const
-  {
-    const Side& side = parts_.sides.common[s];
-    const auto& start = parts_.wall.faces.sideStart;
-    for (std::size_t f = start[s]; f < start[s + 1]; ++f)
-    {
-      expose(sideOf(f, 0, side.low), sideOf(f, 1, side.high), f, faces);
-    }
-  }
-
-  // A face between two regions one of which has lost its cell there, or of a baffle; or one that edits made.
-  void exposeOther(std::size_t f, std::vector<BoundaryFace>& faces) const
-  {
-    const OtherSide below = sideOf(f, 0);
-    const OtherSide above = sideOf(f, 1);
-    expose(below, above, f, faces);
-    exposeBaffle(below, above, f, faces);
   }
 
   // Apart from the first and the last global box of a row, most are not at the end of the grid.
@@ -230,9 +117,8 @@ private:
     }
   }
 
-  // Adds sides of hexahedra at the end of the grid, where the meshlines cut the domain, and of hexahedra
-  // without a neighbour, where the surface leaks. On a flawed side (`anywhere`) only the hexahedron has a
-  // face.
+  // Adds sides of hexahedra without a box beyond: at the end of the grid, where the meshlines cut the domain, or
+  // where the surface leaks (`anywhere`).
   void exposeBoxSides(std::uint32_t b, bool anywhere, std::vector<BoundaryFace>& faces) const
   {
     if (parts_.sides.polyhedralOrdinal(b) != None)
@@ -243,7 +129,8 @@ private:
     for (unsigned i = 0; i < 6; ++i)
     {
       if ((anywhere || isAtEnd(box, i / 2, i % 2 == 1)) &&
-        exposed(b, static_cast<int>(i / 2), i % 2 == 1))
+        facing(parts_.boxes, parts_.boxes.packed[b], static_cast<int>(i / 2), i % 2 == 1)[0] ==
+          None)
       {
         faces.push_back(
           { numbers_.ofBox[b], std::size_t(6) * b + i, NoBoundary, BoundaryFace::Kind::BoxSide });
@@ -255,31 +142,6 @@ private:
   {
     const auto& planes = parts_.boxes.planes[axis];
     return upper ? box.high[axis] == planes.back() : box.low[axis] == planes.front();
-  }
-
-  // A hexahedron has one neighbour on each side, or none. If the side between them has faces, these are the
-  // boundary; a side without faces is added here.
-  bool exposed(std::uint32_t b, int axis, bool upper) const
-  {
-    const std::uint32_t other = facing(parts_.boxes, parts_.boxes.packed[b], axis, upper)[0];
-    const std::uint32_t n = parts_.sides.polyhedralOrdinal(other);
-    if (n == None)
-    {
-      return other == None;
-    }
-    if (parts_.sides.boxStart[n] == parts_.sides.boxStart[n + 1]) // was a hexahedron
-    {
-      return false;
-    }
-    for (std::size_t i = parts_.sides.boxStart[n]; i < parts_.sides.boxStart[n + 1]; ++i)
-    {
-      const std::uint32_t s = parts_.sides.ofBox[i].side;
-      if ((upper ? parts_.sides.common[s].low : parts_.sides.common[s].high) == b)
-      {
-        return parts_.wall.faces.sideStart[s] == parts_.wall.faces.sideStart[s + 1];
-      }
-    }
-    return true;
   }
 
   // Faces where the grid cuts the domain are known by their place: all that is there lies on the last plane.
@@ -352,43 +214,8 @@ void forEachCellOf(const WallMesh& wall, std::uint32_t n, Visitor&& visit)
 BoundaryFace::Kind kindOf(const WallFaces& faces, const FaceUse& use)
 {
   using Kind = BoundaryFace::Kind;
-  switch (faces.originOf(use.face))
-  {
-    case FaceOrigin::Patch:
-      return Kind::Patch;
-    case FaceOrigin::Shaped:
-      return use.turned ? Kind::TurnedShaped : Kind::Shaped;
-    default:
-      return use.turned ? Kind::TurnedInner : Kind::Inner;
-  }
-}
-
-std::int32_t exposedWall(
-  const MeshParts& parts, std::size_t face, std::uint32_t box, std::int32_t otherwise)
-{
-  const Patches& patches = parts.patches;
-  const std::uint32_t n = parts.sides.polyhedralOrdinal(box);
-  const std::uint32_t of = n == None ? None : parts.sides.patchBox[n];
-  const std::size_t first = of == None ? 0 : patches.boxStart[of];
-  const std::size_t end = of == None ? 0 : patches.boxStart[of + 1];
-  const auto ofBox = patches.boundary.begin();
-  if (std::adjacent_find(ofBox + std::ptrdiff_t(first), ofBox + std::ptrdiff_t(end),
-        std::not_equal_to<>()) == ofBox + std::ptrdiff_t(end))
-  {
-    return otherwise;
-  }
-  const Vector place = middleOf(parts, face);
-  std::pair<double, std::int32_t> nearest{ std::numeric_limits<double>::infinity(), otherwise };
-  for (std::size_t p = first; p < end; ++p)
-  {
-    if (patches.walls.isInterface(patches.boundary[p]))
-    {
-      continue;
-    }
-    const double distance = distanceOf(parts, p, place);
-    nearest = distance < nearest.first ? std::pair(distance, patches.boundary[p]) : nearest;
-  }
-  return nearest.second;
+  return use.face >= faces.firstShaped ? (use.turned ? Kind::TurnedShaped : Kind::Shaped)
+                                       : (use.turned ? Kind::TurnedCut : Kind::Cut);
 }
 
 CellNumbers numberCells(const MeshParts& parts, Execution& execution)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The boundary of the mesh: patches, and inner faces whose cell on the other side was removed (4.10).
+// The boundary of the mesh, once it was edited: faces with a cell on one side.
 #pragma once
 
 #include "Cells/WallMesh.h"
@@ -38,10 +38,9 @@ struct BoundaryFace
 {
   enum class Kind : std::uint8_t
   {
-    Patch,       // a polygon of the patches
-    Inner,       // a face of a side, or between two regions
-    TurnedInner, // ... reversed
-    Shaped,      // a face that edits made
+    Cut, // as it was cut
+    TurnedCut, // ... reversed
+    Shaped,    // a face that edits made or changed
     TurnedShaped,
     BoxSide, // of a hexahedron: 6 * box + (low x, high x, low y, high y, low z, high z)
   };
@@ -53,7 +52,7 @@ struct BoundaryFace
   bool isShaped() const { return kind == Kind::Shaped || kind == Kind::TurnedShaped; }
 
   // Of one of the wall's faces, as its owner has it.
-  FaceUse use() const { return { index, kind == Kind::TurnedInner || kind == Kind::TurnedShaped }; }
+  FaceUse use() const { return { index, kind == Kind::TurnedCut || kind == Kind::TurnedShaped }; }
 
   bool operator<(const BoundaryFace& other) const
   {
@@ -64,11 +63,6 @@ struct BoundaryFace
 
 // The kind of a face of the wall.
 BoundaryFace::Kind kindOf(const WallFaces& faces, const FaceUse& use);
-
-// The wall (Walls.h) of a face that is exposed, as there is no cell beyond it: that of the nearest patch in the box there,
-// if that has several.
-std::int32_t exposedWall(
-  const MeshParts& parts, std::size_t face, std::uint32_t box, std::int32_t otherwise);
 
 // Lists the boundary faces, in order of their cells.
 std::vector<BoundaryFace> collectBoundary(

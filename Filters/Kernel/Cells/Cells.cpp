@@ -15,9 +15,7 @@ namespace
 
 constexpr std::size_t LeastFaces = 4; // of a cell
 constexpr std::size_t BoxesAChunk = 128;
-
-// Edits add about half as many faces. Unused space costs no memory.
-constexpr std::size_t WithShapedFaces = 2;
+constexpr std::size_t MostCornersAdded = 2; // by edits: times as many
 
 // The cells of a chunk of boxes.
 struct CellChunk
@@ -233,7 +231,7 @@ WallFaces facesOf(const Patches& patches, const InnerFaces& inner)
   WallFaces faces;
   const std::size_t count = patches.size() + inner.size();
   const std::size_t corners = patches.corners.size() + inner.nodes.size();
-  faces.reserve(WithShapedFaces * count, WithShapedFaces * corners);
+  faces.reserve(count, corners);
   faces.start.clear();
   for (const std::size_t start : patches.start)
   {
@@ -248,7 +246,6 @@ WallFaces facesOf(const Patches& patches, const InnerFaces& inner)
   faces.cells.assign(count, { None, None });
   faces.boundary.assign(patches.boundary.begin(), patches.boundary.end());
   faces.boundary.resize(count, NoBoundary);
-  faces.firstShaped = static_cast<std::uint32_t>(count);
   for (const std::size_t first : inner.sideStart)
   {
     faces.sideStart.push_back(static_cast<std::uint32_t>(patches.size() + first));
@@ -336,7 +333,7 @@ std::vector<std::uint8_t> findFlawed(const Boxes& boxes, const Patches& patches,
 WallMesh assembleCells(const Boxes& boxes, const Patches& patches, const Sides& sides,
   const Nodes& nodes, const InnerFaces& inner, const SmallCellSpec& spec, Execution& execution)
 {
-  if (WithShapedFaces * (patches.corners.size() + inner.nodes.size()) > None ||
+  if (MostCornersAdded * (patches.corners.size() + inner.nodes.size()) > None ||
     boxes.packed.size() > EndOfKeys - FirstHexahedron)
   {
     throw Error(Fault::TooManyBoxes,

@@ -34,7 +34,7 @@ std::vector<std::size_t> countParts(
   const auto element = [&](CellKey key) {
     return isHexahedron(key) ? boxOfHexahedron(key) : cellsBegin + key;
   };
-  for (std::size_t f = wall.faces.firstOfSides(); f < wall.faces.size(); ++f)
+  for (std::size_t f = 0; f < wall.faces.size(); ++f)
   {
     const auto& [below, above] = wall.faces.cells[f];
     if (below != None && above != None && !wall.isRemoved(below) && !wall.isRemoved(above) &&

@@ -122,9 +122,9 @@ private:
       for (std::size_t p = cut == None ? 0 : patches_.boxStart[cut];
            cut != None && p < patches_.boxStart[cut + 1]; ++p)
       {
-        const auto corner = wall_.faces.corners.begin();
-        if (std::any_of(corner + std::ptrdiff_t(wall_.faces.start[p]),
-              corner + std::ptrdiff_t(wall_.faces.start[p + 1]),
+        const auto corner = patches_.corners.begin();
+        if (std::any_of(corner + std::ptrdiff_t(patches_.start[p]),
+              corner + std::ptrdiff_t(patches_.start[p + 1]),
               [&](std::uint32_t node) { return nodes.count(node) > 0; }))
         {
           largest = std::max(largest, double(patches_.enclosed[patches_.triangle[p]]));

@@ -26,7 +26,6 @@ void makeInterfaces(const Walls& walls, WallMesh& wall)
       faces.cells[p] = { None, None };
     }
   }
-  faces.firstShaped = static_cast<std::uint32_t>(faces.size());
   for (FaceUse& use : wall.uses)
   {
     if (faces.isPatch(use.face) && interfaceOf[use.face] != None)

@@ -42,15 +42,6 @@ void lookBeside(const Boxes& boxes, const Sides& sides, const WallMesh& wall, st
       return;
     }
   }
-  const auto& given = wall.hexahedronSides;
-  const auto at = std::lower_bound(given.begin(), given.end(), std::make_pair(box, side),
-    [](const HexahedronSide& x, const std::pair<std::uint32_t, unsigned>& y) {
-      return std::make_pair(x.box, x.side) < y;
-    });
-  if (at != given.end() && at->box == box && at->side == side)
-  {
-    beside.faces.emplace_back(at->face, wall.faces.cells[at->face][1] == keyOfHexahedron(box));
-  }
 }
 
 }

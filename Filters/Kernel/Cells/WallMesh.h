@@ -44,16 +44,8 @@ struct FaceUse
   static constexpr std::uint32_t Most = 0x7fffffffu;
 };
 
-// Where a face comes from.
-enum class FaceOrigin : std::uint8_t
-{
-  Patch,
-  Side,      // of two boxes (InnerFaces.h)
-  Interface, // a patch between two regions (Interfaces.h)
-  Shaped,    // made by edits (Editing): a piece of one of those, one with other nodes, or a cut
-};
-
-// In order of their origins: patches, as Patches has them; then those of sides; ...
+// As they are cut: patches, as Patches has them, then those of sides (InnerFaces.h), then patches between two regions
+// (Interfaces.h). Once they were edited: those that no edit has changed, then the others; none without a cell.
 struct WallFaces
 {
   std::vector<std::uint32_t> start{ 0 };     // first corner of each face, and the end
@@ -63,21 +55,16 @@ struct WallFaces
   // The wall (Walls.h) of patches, of faces between two regions, and of those with no cell on one side.
   std::vector<std::int32_t> boundary;
 
-  std::vector<std::uint32_t> sideStart; // first face of each side, and the end
-  std::uint32_t firstShaped = 0;
+  std::vector<std::uint32_t> sideStart; // as cut: first face of each side, and the end
+  std::uint32_t firstShaped = 0;        // once edited: of those that edits have made or changed
 
   std::size_t size() const { return cells.size(); }
+
+  // As cut.
   std::uint32_t firstOfSides() const { return sideStart.front(); } // the number of patches
   std::uint32_t firstInterface() const { return sideStart.back(); }
-
-  FaceOrigin originOf(std::size_t face) const
-  {
-    return face < firstOfSides() ? FaceOrigin::Patch
-      : face < firstInterface()  ? FaceOrigin::Side
-      : face < firstShaped       ? FaceOrigin::Interface
-                                 : FaceOrigin::Shaped;
-  }
   bool isPatch(std::size_t face) const { return face < firstOfSides(); }
+  bool isOfSide(std::size_t face) const { return !isPatch(face) && face < firstInterface(); }
 
   // The cell on the other side of a cell's face.
   CellKey beyond(const FaceUse& use) const { return cells[use.face][use.turned ? 0 : 1]; }
@@ -123,14 +110,6 @@ struct Cell
   bool removed;          // a sliver, or smaller than R of its box (4.10)
 };
 
-// The face that edits made on a side of a hexahedron (0: low x, 1: high x, low y, ...).
-struct HexahedronSide
-{
-  std::uint32_t box;
-  std::uint32_t side;
-  std::uint32_t face;
-};
-
 struct WallMesh
 {
   WallFaces faces;
@@ -140,9 +119,15 @@ struct WallMesh
   std::vector<std::uint8_t> flawed;  // 1: the faces of the box do not close; it has no cells
   std::size_t folds = 0;             // walls without thickness inside a cell, which were dropped
   std::size_t voids = 0;             // closed pieces of surface inside a cell, which are its holes
-  std::vector<HexahedronSide> hexahedronSides; // in order of boxes and sides
 
   std::size_t size() const { return cells.size() - 1; }
+
+  // Once it is opened for edits (Editing/WallOpening.h), until these are written: only cells stay.
+  void forgetFaces()
+  {
+    faces = WallFaces();
+    std::vector<FaceUse>().swap(uses);
+  }
 
   bool isRemoved(CellKey key) const { return key < FirstHexahedron && cells[key].removed; }
 
@@ -184,7 +169,7 @@ struct BesideHexahedron
   std::vector<FaceUse> faces; // of the wall mesh, as the hexahedron has them
 };
 
-// Fills in the side of a hexahedron. Without faces, its only one there is implicit.
+// Fills in the side of a hexahedron, as cut. Without faces, its only one there is implicit.
 void lookBeside(const Boxes& boxes, const Sides& sides, const WallMesh& wall, std::uint32_t box,
   unsigned side, BesideHexahedron& beside);
 

@@ -36,7 +36,7 @@ enum class CellState : std::uint8_t
 {
   Free,   // to change
   Frozen, // it touches itself along an edge, where the surface does: nothing of it changes unless solvers refuse it
-  Ghost   // only its centre and volume are here, and those of its faces that others have
+  Ghost   // never edited; whole boxes: of hexahedra only those faces are here that others have, too
 };
 
 // Of items in one of the arenas.
@@ -102,8 +102,8 @@ struct EditFace
   std::uint32_t above = None; // or None: a wall
   std::int32_t wall = -1;     // Walls.h: of a wall, or between two regions
   std::uint32_t epoch = 0;
-  std::uint32_t number = None; // in WallFaces; None: made here
   bool gone = false;
+  bool shaped = false;    // made by edits, or with other corners since, or a wall
   std::uint8_t fails = 0; // limits of solvers (WallObjective.h)
   bool strains = false;
   std::uint8_t inverted = 0; // refused by checkMesh: sides

@@ -268,6 +268,7 @@ std::uint32_t MeshEditor::makeFace(
     return None;
   }
   rawFace(f).corners = store(corners, size);
+  rawFace(f).shaped = true;
   for (std::size_t i = 0; i < size; ++i)
   {
     EditNode& node = changeNode(corners[i]);
@@ -289,6 +290,7 @@ void MeshEditor::setCorners(std::uint32_t f, const std::uint32_t* corners, std::
   EditFace& face = changeFace(f);
   const ItemList old = face.corners;
   face.corners = store(corners, size);
+  face.shaped = true;
   forEachBeyond(old, face.corners, [&](std::uint32_t n) {
     EditNode& node = changeNode(n);
     node.faces = without(node.faces, f);

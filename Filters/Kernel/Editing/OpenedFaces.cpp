@@ -4,8 +4,11 @@
 #include "Base/EdgeTable.h"
 #include "Base/Sorting.h"
 #include "Editing/NearWallSelection.h"
+#include "Lattice/NearestPlace.h"
 
 #include <algorithm>
+#include <functional>
+#include <limits>
 
 namespace cartesian
 {
@@ -14,8 +17,66 @@ namespace
 {
 
 constexpr std::size_t CellsAChunk = 256;
+constexpr std::size_t FacesAChunk = 1024;
 
-// Lists the faces of some cells.
+// The mean of a face's nodes, in levels.
+Vector middleOf(const MeshParts& parts, std::size_t face)
+{
+  Vector sum{};
+  double count = 0;
+  parts.wall.faces.forEachNode({ face, false }, [&](std::uint32_t node) {
+    sum = plus(sum, minus(parts.nodes.at[node], Point{}));
+    ++count;
+  });
+  return scaled(sum, 1 / count);
+}
+
+// From a patch to a place.
+double distanceOf(const MeshParts& parts, std::size_t patch, const Vector& place)
+{
+  const WallFaces& faces = parts.wall.faces;
+  const auto corner = [&](std::size_t i) { return parts.nodes.at[faces.corners[i]]; };
+  const std::size_t first = faces.start[patch];
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = first + 1; i + 1 < faces.start[patch + 1]; ++i)
+  {
+    const Corners triangle{ corner(first), corner(i), corner(i + 1) };
+    nearest = std::min(nearest, norm(minus(nearestPlace(triangle, place), place)));
+  }
+  return nearest;
+}
+
+// The wall (Walls.h) of a face that is exposed, as there is no cell beyond it: that of the nearest patch in the box there,
+// if that has several.
+std::int32_t exposedWall(
+  const MeshParts& parts, std::size_t face, std::uint32_t box, std::int32_t otherwise)
+{
+  const Patches& patches = parts.patches;
+  const std::uint32_t n = parts.sides.polyhedralOrdinal(box);
+  const std::uint32_t of = n == None ? None : parts.sides.patchBox[n];
+  const std::size_t first = of == None ? 0 : patches.boxStart[of];
+  const std::size_t end = of == None ? 0 : patches.boxStart[of + 1];
+  const auto ofBox = patches.boundary.begin();
+  if (std::adjacent_find(ofBox + std::ptrdiff_t(first), ofBox + std::ptrdiff_t(end),
+        std::not_equal_to<>()) == ofBox + std::ptrdiff_t(end))
+  {
+    return otherwise;
+  }
+  const Vector place = middleOf(parts, face);
+  std::pair<double, std::int32_t> nearest{ std::numeric_limits<double>::infinity(), otherwise };
+  for (std::size_t p = first; p < end; ++p)
+  {
+    if (patches.walls.isInterface(patches.boundary[p]))
+    {
+      continue;
+    }
+    const double distance = distanceOf(parts, p, place);
+    nearest = distance < nearest.first ? std::pair(distance, patches.boundary[p]) : nearest;
+  }
+  return nearest.second;
+}
+
+// Lists the faces of some cells, or some faces.
 class FaceLister
 {
 public:
@@ -49,6 +110,31 @@ public:
     }
   }
 
+  // A face of the wall mesh, unless it is one of a cell that is opened.
+  void addOther(std::uint32_t f)
+  {
+    const auto& [below, above] = parts_.wall.faces.cells[f];
+    const auto isOpened = [&](CellKey key) { return isThere(key) && numbers_[key] != None; };
+    if ((isThere(below) || isThere(above)) && !isOpened(below) && !isOpened(above))
+    {
+      const FaceUse use(f, !isThere(below));
+      addFace(use.turned ? above : below, use);
+    }
+  }
+
+  // The sides of a hexahedron that is not opened where the box beyond has no faces: they did not close.
+  void addOpenSides(std::uint32_t box)
+  {
+    for (unsigned side = 0; side < 6; ++side)
+    {
+      lookBeside(parts_.boxes, parts_.sides, parts_.wall, box, side, beside_);
+      if (beside_.isPolyhedral && beside_.faces.empty())
+      {
+        addSide(box, side);
+      }
+    }
+  }
+
 private:
   bool isThere(CellKey key) const { return key != None && !parts_.wall.isRemoved(key); }
 
@@ -65,7 +151,7 @@ private:
     parts_.wall.faces.forEachNode(use, [&](std::uint32_t node) { list_.corners.push_back(node); });
     const std::int32_t wall =
       isBetween ? parts_.wall.faces.boundary[use.face] : wallBeyond(use, other);
-    close({ begin, 0, use.face, key, isBetween ? other : CellKey(None), wall, use.turned != 0 });
+    close({ begin, 0, use.face, key, isBetween ? other : CellKey(None), wall });
   }
 
   // Of a face without a cell beyond.
@@ -78,7 +164,7 @@ private:
       return exposedWall(parts_, use.face, there.box, there.boundary);
     }
     std::uint32_t box = None;
-    if (faces.originOf(use.face) == FaceOrigin::Side)
+    if (faces.isOfSide(use.face))
     {
       const auto next = std::upper_bound(faces.sideStart.begin(), faces.sideStart.end(), use.face);
       const auto s = static_cast<std::size_t>(next - faces.sideStart.begin()) - 1;
@@ -103,14 +189,17 @@ private:
     {
       list_.corners.push_back(cornerNode(box, ring[upper ? i : 3 - i]));
     }
-    close({ begin, 0, None, keyOfHexahedron(box), other, NoBoundary, false });
+    close({ begin, 0, None, keyOfHexahedron(box), other, NoBoundary });
   }
 
   void close(OpenedFace face)
   {
-    if (face.above != None && numbers_[face.above] == None)
+    for (const CellKey key : { face.below, face.above })
     {
-      list_.ghosts.push_back(std::uint64_t(boxOf(parts_.wall, face.above)) << 32 | face.above);
+      if (key != None && numbers_[key] == None)
+      {
+        list_.ghosts.push_back(std::uint64_t(boxOf(parts_.wall, key)) << 32 | key);
+      }
     }
     face.end = list_.corners.size();
     list_.faces.push_back(face);
@@ -179,17 +268,33 @@ OpenedCells::OpenedCells(const MeshParts& parts, Execution& execution)
 OpenedFaces listOpenedFaces(const MeshParts& parts, const std::vector<CellKey>& cells,
   const OpenedCells& numbers, Execution& execution)
 {
-  OpenedFaces faces;
-  faces.lists.resize(chunks(cells.size(), CellsAChunk));
-  execution.forEach(cells.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-    FaceLister lister(parts, numbers, end - begin, faces.lists[begin / CellsAChunk]);
-    for (std::size_t k = begin; k < end; ++k)
+  OpenedFaces result;
+  // Lists those of `count` items behind all that are listed: add(lister, i) those of one.
+  const auto list = [&](std::size_t count, std::size_t ofChunk, auto&& add) {
+    const std::size_t first = result.lists.size();
+    result.lists.resize(first + chunks(count, ofChunk));
+    execution.forEach(count, ofChunk, [&](std::size_t begin, std::size_t end) {
+      FaceLister lister(parts, numbers, end - begin, result.lists[first + begin / ofChunk]);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        add(lister, i);
+      }
+    });
+  };
+  list(cells.size(), CellsAChunk, [&](FaceLister& lister, std::size_t i) { lister.add(cells[i]); });
+  list(parts.wall.faces.size(), FacesAChunk,
+    [](FaceLister& lister, std::size_t f) { lister.addOther(static_cast<std::uint32_t>(f)); });
+  const auto& flawed = parts.wall.flawed;
+  const bool isAny = std::find(flawed.begin(), flawed.end(), 1) != flawed.end();
+  list(isAny ? parts.boxes.packed.size() : 0, FacesAChunk, [&](FaceLister& lister, std::size_t i) {
+    const auto box = static_cast<std::uint32_t>(i);
+    if (parts.sides.polyhedralOrdinal(box) == None && numbers[keyOfHexahedron(box)] == None)
     {
-      lister.add(cells[k]);
+      lister.addOpenSides(box);
     }
   });
-  gatherVertices(faces, parts.nodes.at.size(), execution);
-  return faces;
+  gatherVertices(result, parts.nodes.at.size(), execution);
+  return result;
 }
 
 std::vector<CellKey> takeGhosts(OpenedFaces& faces, Execution& execution)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The faces of the cells that are opened (WallOpening.h), each once, and the vertices of the global mesh among their
-// corners: what nodes and faces are made of.
+// The faces of the cells that are opened (WallOpening.h), then those of all other polyhedra, each once, and the vertices
+// of the global mesh among their corners: what nodes and faces are made of.
 #pragma once
 
 #include "Cells/Boundary.h"
@@ -39,7 +39,6 @@ struct OpenedFace
   CellKey below;
   CellKey above; // or None
   std::int32_t wall;
-  bool turned;
 };
 
 // The faces of a chunk of cells. Vertices of the global mesh that are not in Nodes are numbered behind those.
@@ -48,17 +47,18 @@ struct OpenedFaceList
   std::vector<OpenedFace> faces;
   std::vector<std::uint32_t> corners;
   std::vector<VertexNode> vertices;
-  std::vector<std::uint64_t> ghosts; // box and key of the cells beyond that are not opened
+  std::vector<std::uint64_t> ghosts; // box and key of their cells that are not opened
 };
 
 // All lists, and the vertices of all of them: one that several lists have is there several times.
 struct OpenedFaces
 {
-  std::vector<OpenedFaceList> lists; // in the order of cells
+  std::vector<OpenedFaceList> lists; // in the order of cells, then of faces
   std::vector<VertexNode> vertices;  // to which the corners' numbers refer
 };
 
-// Those between two cells that are opened are of the one below.
+// Those between two cells that are opened are of the one below. With those of hexahedra where there is no cell beyond,
+// but a box.
 OpenedFaces listOpenedFaces(const MeshParts& parts, const std::vector<CellKey>& cells,
   const OpenedCells& numbers, Execution& execution);
 

@@ -403,7 +403,6 @@ std::uint32_t splitFace(MeshEditor& mesh, std::uint32_t f, std::size_t i, std::s
   made.strains = false;
   made.inverted = 0;
   made.skew = false;
-  made.number = None;
   made.volumeDeficit *= part;
   mesh.setCorners(f, kept.data(), kept.size());
   mesh.changeFace(f).volumeDeficit *= part;
@@ -469,6 +468,7 @@ void makeWall(MeshEditor& mesh, std::uint32_t f, std::uint32_t without, std::int
     mesh.setCorners(f, ring.data(), ring.size());
   }
   face.above = None;
+  face.shaped = true;
   face.wall = wall;
   face.behind = 0;
   face.original = Vector{};

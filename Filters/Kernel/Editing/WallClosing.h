@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What edits changed goes back into the wall mesh it was opened from (WallOpening.h).
+// What was opened (WallOpening.h) becomes the wall mesh again, and the nodes that edits made are among all nodes.
 #pragma once
 
 #include "Editing/WallOpening.h"
@@ -7,7 +7,7 @@
 namespace cartesian
 {
 
-// Writes what changed. Hexahedra that did become polyhedra; all else keeps its numbers.
+// `wall` has its cells alone (WallMesh::forgetFaces). Hexahedra that changed become polyhedra; nodes keep their numbers.
 void closeWall(const EditableWall& edited, const Boxes& boxes, const Walls& walls, Sides& sides,
   Nodes& nodes, WallMesh& wall, Execution& execution);
 

@@ -41,6 +41,7 @@ public:
     mesh_.sharp = SharpRule(featureAngle, parts_.patches.knowsEdges);
     chooseUnit();
     addCells();
+    findMissing();
     faces_ = listOpenedFaces(parts_, keys_, numbers_, execution_);
     addGhosts();
     addNodes();
@@ -101,7 +102,7 @@ private:
     mesh_.cells.reserve(withSpare(keys_.size()));
     mesh_.cells.resize(keys_.size());
     forEach(keys_.size(), [&](std::uint32_t c) { setCell(c, keys_[c], CellState::Free); });
-    result_.opened.cells = static_cast<std::uint32_t>(keys_.size());
+    result_.cells = static_cast<std::uint32_t>(keys_.size());
   }
 
   // With room for what edits make: it takes no memory before.
@@ -134,7 +135,7 @@ private:
     const std::vector<CellKey> ghosts = takeGhosts(faces_, execution_);
     mesh_.cells.resize(keys_.size() + ghosts.size());
     forEach(ghosts.size(),
-      [&](std::uint32_t i) { setCell(result_.opened.cells + i, ghosts[i], CellState::Ghost); });
+      [&](std::uint32_t i) { setCell(result_.cells + i, ghosts[i], CellState::Ghost); });
   }
 
   // --- nodes
@@ -170,8 +171,8 @@ private:
         }
       }
     });
-    result_.opened.onVertices = concatenated(onVertices);
-    result_.opened.nodes = static_cast<std::uint32_t>(count);
+    result_.onVertices = concatenated(onVertices);
+    result_.nodes = static_cast<std::uint32_t>(count);
   }
 
   void setNode(const PointSortKey& place, std::vector<VertexNode>& onVertices)
@@ -224,6 +225,26 @@ private:
 
   // --- faces of the mesh
 
+  // Of patches, and of the faces that those between regions became (Interfaces.h), in the order of their numbers.
+  void findMissing()
+  {
+    const Patches& patches = parts_.patches;
+    const WallFaces& faces = parts_.wall.faces;
+    missing_.resize(patches.missing.empty() ? 0 : faces.size());
+    forEach(missing_.empty() ? 0 : patches.boxStart.size() - 1, [&](std::uint32_t n) {
+      std::fill(missing_.begin() + std::ptrdiff_t(patches.boxStart[n]),
+        missing_.begin() + std::ptrdiff_t(patches.boxStart[n + 1]), patches.missing[n]);
+    });
+    std::size_t next = faces.firstInterface();
+    for (std::size_t p = 0; !missing_.empty() && p < faces.firstOfSides(); ++p)
+    {
+      if (patches.walls.isInterface(faces.boundary[p]))
+      {
+        missing_[next++] = missing_[p];
+      }
+    }
+  }
+
   void addFaces()
   {
     std::vector<std::size_t> first; // of faces, by lists; and of corners
@@ -239,11 +260,6 @@ private:
     mesh_.faces.resize(count);
     mesh_.arenas[0].reserve(2 * corners + 2 * count); // also for the lists of nodes and cells
     mesh_.arenas[0].resize(corners);
-    AsOpened& opened = result_.opened;
-    opened.start.resize(count + 1);
-    opened.start[0] = 0;
-    opened.cellsOf.resize(count);
-    opened.turned.resize(count);
     forEachList([&](std::size_t i) {
       OpenedFaceList& list = faces_.lists[i];
       sortFaces(list, nodeOf_);
@@ -256,7 +272,6 @@ private:
       }
       list = OpenedFaceList();
     });
-    opened.corners = mesh_.arenas[0];
   }
 
   void setFace(
@@ -267,15 +282,12 @@ private:
     EditFace face;
     face.below = numbers_[listed.below];
     face.above = listed.above == None ? None : numbers_[listed.above];
-    face.number = listed.number;
     face.wall =
       face.above == None && listed.wall == NoBoundary ? wallAtEnd(corners, size) : listed.wall;
     face.corners = listAt(first, size, 0);
+    face.volumeDeficit = listed.number < missing_.size() ? missing_[listed.number] : 0; // for now
     std::copy_n(corners, size, mesh_.arenas[0].begin() + std::ptrdiff_t(first));
     mesh_.faces[f] = face;
-    result_.opened.start[f + 1] = static_cast<std::uint32_t>(first + size);
-    result_.opened.cellsOf[f] = { face.below, face.above };
-    result_.opened.turned[f] = listed.turned ? 1 : 0;
   }
 
   // NoBoundary: it is not at an end of the grid.
@@ -298,9 +310,6 @@ private:
 
   void hold()
   {
-    result_.opened.facesOf.resize(result_.opened.cells);
-    forEach(result_.opened.cells,
-      [&](std::uint32_t c) { result_.opened.facesOf[c] = mesh_.cells[c].faces.size; });
     forEach(mesh_.nodes.size(), [&](std::uint32_t n) {
       EditNode& node = mesh_.nodes[n];
       for (const std::uint32_t f : result_.mesh.facesAround(n))
@@ -315,6 +324,10 @@ private:
   // Nodes at an end of the grid may slide in it; where nothing is known of a wall, they stay.
   std::uint8_t heldBy(const EditFace& face) const
   {
+    if (result_.mesh.isGhost(face.below))
+    {
+      return AllAxes;
+    }
     if (face.above != None)
     {
       return result_.mesh.isGhost(face.above) ? AllAxes : std::uint8_t(0);
@@ -337,42 +350,20 @@ private:
 
   // --- measures
 
-  // Of patches, and of the faces that those between regions became (Interfaces.h), in the order of their numbers.
-  std::vector<float> missingByFace()
-  {
-    const Patches& patches = parts_.patches;
-    const WallFaces& faces = parts_.wall.faces;
-    std::vector<float> missing(patches.missing.empty() ? 0 : faces.firstShaped);
-    forEach(missing.empty() ? 0 : patches.boxStart.size() - 1, [&](std::uint32_t n) {
-      std::fill(missing.begin() + std::ptrdiff_t(patches.boxStart[n]),
-        missing.begin() + std::ptrdiff_t(patches.boxStart[n + 1]), patches.missing[n]);
-    });
-    std::size_t next = faces.firstInterface();
-    for (std::size_t p = 0; !missing.empty() && p < faces.firstOfSides(); ++p)
-    {
-      if (patches.walls.isInterface(faces.boundary[p]))
-      {
-        missing[next++] = missing[p];
-      }
-    }
-    return missing;
-  }
-
   void measure()
   {
     noteEulerDefects(mesh_, execution_);
     measureAll(mesh_, execution_);
     const Patches& patches = parts_.patches;
-    const std::vector<float> missing = missingByFace();
     forEach(mesh_.faces.size(), [&](std::uint32_t f) {
       EditFace& face = mesh_.faces[f];
       face.original = isSurface(face) ? face.area : Vector{};
-      if (isSurface(face) && face.number < missing.size())
+      if (face.volumeDeficit != 0)
       {
         const EditCell& below = mesh_.cells[face.below];
         const double most = MostMissing * below.edge;
         const bool isBehind = face.above == None || below.region == patches.walls.behind(face.wall);
-        face.volumeDeficit = std::clamp(missing[face.number] * mesh_.level, -most, most) *
+        face.volumeDeficit = std::clamp(face.volumeDeficit * mesh_.level, -most, most) *
           norm(face.area) * (isBehind ? 1 : -1);
       }
     });
@@ -386,6 +377,7 @@ private:
   OpenedCells numbers_;
   OpenedFaces faces_;               // vertices are numbered behind Nodes
   RawVector<std::uint32_t> nodeOf_; // in the mesh, of both
+  std::vector<float> missing_;      // of faces in WallFaces: what patches lack, in levels
 };
 
 // Of each wall's index, whether it has layers on any side.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells at the wall as an MeshEditor, and back: those of intersected boxes and others with a wall, and one ring of
-// cells around them. What lies beyond is there as ghosts, whose nodes are held.
+// The wall mesh opened for edits: the cells of intersected boxes and others with a wall, and one ring of cells around
+// them. What lies beyond is there as ghosts, whose nodes are held: all other polyhedra, and hexahedra beside any.
 //
 // Nothing depends on how the input is ordered: cells are in the order of their boxes, several in a box in that of their
 // nodes' places; nodes in the order of their places; faces in that of the cell below, then of their corners, the first of
@@ -29,24 +29,13 @@ constexpr bool isWallOfEnd(std::int32_t wall)
   return wall < FirstOfEnds + 6;
 }
 
-// What the mesh was when it was opened: cells before the ghosts, and the corners of faces.
-struct AsOpened
-{
-  std::uint32_t nodes = 0;
-  std::uint32_t cells = 0;
-  RawVector<std::uint16_t> facesOf; // how many each cell had
-  RawVector<std::uint32_t> start;   // first corner of each face, and the end
-  RawVector<std::uint32_t> corners;
-  RawVector<std::array<std::uint32_t, 2>> cellsOf; // below and above each face, or None
-  RawVector<std::uint8_t> turned;     // 1: the face has the cell below that WallFaces has above
-  std::vector<VertexNode> onVertices; // nodes on vertices of the global mesh that are not in Nodes
-};
-
 struct EditableWall
 {
   MeshEditor mesh;
   Point origin{};
-  AsOpened opened;
+  std::uint32_t nodes = 0;            // before edits made more
+  std::uint32_t cells = 0;            // before the ghosts
+  std::vector<VertexNode> onVertices; // nodes on vertices of the global mesh that are not in Nodes
 
   Vector inside(const Point& place) const { return scaled(minus(place, origin), mesh.level()); }
   Point placeOf(std::uint32_t node) const;

@@ -45,6 +45,13 @@ struct Nodes
   std::vector<std::array<std::uint32_t, 8>> ofDivided; // corners of Sides::divided
   std::vector<VertexNode> moreVertices; // nodes that edits add at vertices of the global mesh
   std::vector<std::uint32_t> ofCuts;    // the other nodes that edits add, in order of places
+
+  // Once inner faces are made.
+  void forgetBorders()
+  {
+    std::vector<std::size_t>().swap(borderStart);
+    std::vector<std::uint32_t>().swap(border);
+  }
 };
 
 // The node at a corner of a hexahedron if it is one of a side, a border or a divided box, else None.

@@ -63,7 +63,7 @@ BoundaryFace seenFromInFront(BoundaryFace face, Id cell)
 {
   using Kind = BoundaryFace::Kind;
   face.cell = cell;
-  face.kind = face.kind == Kind::Shaped ? Kind::TurnedShaped : Kind::TurnedInner;
+  face.kind = face.kind == Kind::Shaped ? Kind::TurnedShaped : Kind::TurnedCut;
   return face;
 }
 

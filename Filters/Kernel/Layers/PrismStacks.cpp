@@ -319,7 +319,7 @@ private:
     else if (isAtWall)
     {
       const BoundaryFace& base = wall_.of.faces[f];
-      add({ cell, base.index, base.boundary, BoundaryFace::Kind::Patch },
+      add({ cell, base.index, base.boundary, BoundaryFace::Kind::Cut },
         pointsOf(f, columns_.layers()), measureOf(f));
     }
     forEachSide(wall_, columns_, sides_, f, k, [&](std::size_t i, const std::vector<Id>& points) {
@@ -327,7 +327,7 @@ private:
       if (!wall_.layered[other])
       {
         const BoundaryFace& there = wall_.of.faces[other];
-        add({ cell, there.index, there.boundary, BoundaryFace::Kind::Patch }, points, {});
+        add({ cell, there.index, there.boundary, BoundaryFace::Kind::Cut }, points, {});
       }
     });
   }

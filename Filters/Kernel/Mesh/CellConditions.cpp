@@ -17,14 +17,9 @@ constexpr std::size_t CellsAChunk = 256;
 class Inspector
 {
 public:
-  Inspector(const MeshParts& parts, const CellNumbers& numbers,
-    const std::vector<BoundaryFace>& boundary, CellConditions& failures)
+  Inspector(const MeshParts& parts, CellConditions& failures)
     : parts_(parts)
-    , numbers_(numbers)
-    , boundary_(boundary)
     , failures_(failures)
-    , exposed_(boundary.begin())
-    , boundaryEnd_(boundary.begin())
   {
   }
 
@@ -34,7 +29,6 @@ public:
     parts_.wall.forEachUse(cell, [&](const FaceUse& use) { faces_.push_back(geometryOf(use)); });
     const CellGeometry geometry =
       measureCell(faces_.size(), [&](std::size_t f) -> const FaceGeometry& { return faces_[f]; });
-    findBoundary(numbers_.ofCell[cell]);
     std::array<bool, 2> failing{ false, false }; // at inner faces, at the boundary
     Vector sum{ 0, 0, 0 };
     double sizes = 0;
@@ -65,33 +59,14 @@ private:
       corners_.size(), [&](std::size_t i) -> const Vector& { return corners_[i]; });
   }
 
-  // Boundary faces that lost their neighbour come after the patches of their cell. Cells come in order, so
-  // the search continues where it ended, except for the first cell.
-  void findBoundary(Id cell)
-  {
-    const auto isBefore = [cell](const BoundaryFace& face) {
-      return face.cell < cell || (face.cell == cell && face.kind == BoundaryFace::Kind::Patch);
-    };
-    exposed_ = boundaryEnd_ == boundary_.begin()
-      ? std::partition_point(boundaryEnd_, boundary_.end(), isBefore)
-      : std::find_if_not(boundaryEnd_, boundary_.end(), isBefore);
-    boundaryEnd_ = std::find_if(
-      exposed_, boundary_.end(), [cell](const BoundaryFace& face) { return face.cell != cell; });
-  }
-
   bool isBoundary(const FaceUse& use) const
   {
-    return parts_.wall.faces.isPatch(use.face) || parts_.wall.isInterface(use.face) ||
-      std::any_of(exposed_, boundaryEnd_,
-        [&](const BoundaryFace& exposed) { return exposed.index == use.face; });
+    const CellKey other = parts_.wall.faces.beyond(use);
+    return other == None || parts_.wall.isRemoved(other) || parts_.wall.isInterface(use.face);
   }
 
   const MeshParts& parts_;
-  const CellNumbers& numbers_;
-  const std::vector<BoundaryFace>& boundary_;
   CellConditions& failures_;
-  std::vector<BoundaryFace>::const_iterator exposed_;
-  std::vector<BoundaryFace>::const_iterator boundaryEnd_;
   const double leastInnerCosine_ = std::cos(MeasureSpecs[InnerAngle].limit / 90 * std::acos(0.0));
   std::vector<FaceGeometry> faces_;
   std::vector<Vector> corners_;
@@ -99,14 +74,14 @@ private:
 
 }
 
-CellConditions countFailures(const MeshParts& parts, const CellNumbers& numbers,
-  const std::vector<BoundaryFace>& boundary, Execution& execution)
+CellConditions countFailures(
+  const MeshParts& parts, const CellNumbers& numbers, Execution& execution)
 {
   const std::size_t cells = numbers.coreEnd - numbers.coreBegin;
   std::vector<CellConditions> ofChunk(chunks(cells, CellsAChunk));
   execution.nextLoop(0.8);
   execution.forEach(cells, CellsAChunk, [&](std::size_t begin, std::size_t end) {
-    Inspector inspector(parts, numbers, boundary, ofChunk[begin / CellsAChunk]);
+    Inspector inspector(parts, ofChunk[begin / CellsAChunk]);
     for (std::size_t c = numbers.coreBegin + begin; c < numbers.coreBegin + end; ++c)
     {
       if (!parts.wall.cells[c].removed)

@@ -16,7 +16,7 @@ struct CellConditions
 };
 
 // The same failures as QualityMeasures.h finds in the finished mesh. Hexahedra fulfil all conditions.
-CellConditions countFailures(const MeshParts& parts, const CellNumbers& numbers,
-  const std::vector<BoundaryFace>& boundary, Execution& execution);
+CellConditions countFailures(
+  const MeshParts& parts, const CellNumbers& numbers, Execution& execution);
 
 }

@@ -46,7 +46,7 @@ OutputMesh::OutputMesh(const MeshParts& parts, Execution& execution)
   {
     listInterfaces();
   }
-  failures_ = countFailures(parts_, numbers_, boundary_, execution);
+  failures_ = countFailures(parts_, numbers_, execution);
 }
 
 void OutputMesh::listInterfaces()

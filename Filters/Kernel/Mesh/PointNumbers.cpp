@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/PointNumbers.h"
 
+#include <algorithm>
 #include <atomic>
 #include <tuple>
 
@@ -232,10 +233,11 @@ std::vector<NodeRole> PointNumbers::usedNodes(
   const auto isHexahedronHere = [&](std::uint32_t box) {
     return box != None && parts.sides.polyhedralOrdinal(box) == None && isHere(box);
   };
-  forEach(parts.sides.common.size(), [&](std::size_t s) {
-    const Side& side = parts.sides.common[s];
-    const bool keeps = isHexahedronHere(side.low) || isHexahedronHere(side.high);
-    for (std::uint32_t f = wall.faces.sideStart[s]; keeps && f < wall.faces.sideStart[s + 1]; ++f)
+  forEach(wall.faces.size(), [&](std::size_t f) {
+    const auto& cells = wall.faces.cells[f];
+    if (std::any_of(cells.begin(), cells.end(), [&](CellKey key) {
+          return isHexahedron(key) && isHere(boxOfHexahedron(key));
+        }))
     {
       wall.faces.forEachNode({ f, false }, mark);
     }

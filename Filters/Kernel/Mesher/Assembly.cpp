@@ -333,10 +333,16 @@ void editWall(
   constexpr double AfterEdits = 0.06 * AfterCells + 0.94 * AfterEditing;
   constexpr double AfterClosing = 0.02 * AfterCells + 0.98 * AfterEditing;
   execution.stage("Opening of the wall", AfterCells, AfterOpening);
+  const bool isEdited = editsWall(options) || hasFlatFaces(a.nodes, a.wall, execution);
   EditableWall wall = openWall({ a.boxes, a.patches, a.sides, a.nodes, a.wall },
     { options.patches.featureAngle, layers }, execution);
+  a.wall.forgetFaces();
+  a.sides.forgetSides();
   execution.stage("Edits of the wall", AfterOpening, AfterEdits);
-  count(a, improveWall(wall.mesh, improvementOf(options, isExact(a.patches)), execution));
+  if (isEdited)
+  {
+    count(a, improveWall(wall.mesh, improvementOf(options, isExact(a.patches)), execution));
+  }
   execution.stage("Closing of the wall", AfterEdits, AfterClosing);
   closeWall(wall, a.boxes, a.patches.walls, a.sides, a.nodes, a.wall, execution);
   wall.mesh.mesh().release(execution);
@@ -359,8 +365,8 @@ void requireCells(const Assembly& a, const Options& options)
 
 }
 
-std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& given,
-  Execution& execution, const WallLayerSpec* layers, const PartsToKeep& parts)
+std::unique_ptr<Assembly> cutCells(Boxes boxes, Patches patches, const Options& given,
+  Execution& execution, const PartsToKeep& parts)
 {
   requireValidCells(given);
   const Options options = forWalls(given, patches.walls);
@@ -375,13 +381,19 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   keepParts(a, rebuildFlawed(a, makeFaces(a, execution), execution), parts, options, execution);
   a.wall = makeCells(a, options, execution);
   a.inner = InnerFaces();
-  a.patches.forgetPolygons();
+  a.nodes.forgetBorders();
   removeOverlapping(a, execution);
   makeInterfaces(a.patches.walls, a.wall);
-  if (editsWall(options) || hasFlatFaces(a.nodes, a.wall, execution))
-  {
-    editWall(a, options, layers, execution);
-  }
+  return assembly;
+}
+
+std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& given,
+  Execution& execution, const WallLayerSpec* layers, const PartsToKeep& parts)
+{
+  auto assembly = cutCells(std::move(boxes), std::move(patches), given, execution, parts);
+  Assembly& a = *assembly;
+  const Options options = forWalls(given, a.patches.walls);
+  editWall(a, options, layers, execution);
   for (const std::uint32_t c : overlappingCells(a.boxes, a.nodes.at.size(), a.wall, execution))
   {
     if (a.boxes.isCore(a.boxes.packed[a.wall.cells[c].box]))
@@ -390,6 +402,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
     }
   }
   removeFragments(a, options, execution);
+  a.patches.forgetPolygons();
   if (layers)
   {
     divideWarpedWalls(a.boxes, a.nodes, a.patches.walls, *layers, a.wall);

@@ -37,7 +37,7 @@ struct CellEdits
 struct Assembly
 {
   Boxes boxes;
-  Patches patches; // without their polygons, once cells are assembled of them
+  Patches patches; // without their polygons, once cells are edited
   Sides sides;
   Nodes nodes;
   InnerFaces inner; // until cells are assembled of them and the patches
@@ -50,6 +50,10 @@ struct Assembly
   std::unique_ptr<OutputMesh> mesh;
   std::unique_ptr<BoundaryLayers> layers; // on the mesh, or null
 };
+
+// The steps up to the cells as they are cut: `wall` can be opened for edits (Editing/WallOpening.h). Errors as of assemble().
+std::unique_ptr<Assembly> cutCells(Boxes boxes, Patches patches, const Options& given,
+  Execution& execution, const PartsToKeep& parts = {});
 
 // Runs all steps. Throws Error: BadParameter, TooManyBoxes, FlawedSurface (no cell is left of the whole;
 // a part may have none).

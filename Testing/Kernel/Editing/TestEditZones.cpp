@@ -54,7 +54,7 @@ EditableWall openedOf(const WallCase& one)
 {
   const TestOptions options = asTheyAre(0, depth(one.levels));
   Execution execution;
-  const auto a = assembledOf(one.soup, cellsOf(one.size), options, execution);
+  const auto a = cutCellsOf(one.soup, cellsOf(one.size), options, execution);
   return openWall({ a->boxes, a->patches, a->sides, a->nodes, a->wall }, {}, execution);
 }
 

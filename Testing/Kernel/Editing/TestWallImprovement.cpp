@@ -213,7 +213,7 @@ TEST(WallImprovement, WallsAreCentred)
 {
   const TestOptions options = asTheyAre();
   Execution execution(1);
-  const auto a = assembledOf(cube().turned(), cellsOf(0.13), options, execution);
+  const auto a = cutCellsOf(cube().turned(), cellsOf(0.13), options, execution);
   EditableWall wall =
     openWall({ a->boxes, a->patches, a->sides, a->nodes, a->wall }, {}, execution);
   EditMesh& whole = wall.mesh.mesh();
@@ -256,7 +256,7 @@ TEST(WallImprovement, DeficitsAreWhatTheVolumeLacks)
   const TestOptions options = asTheyAre();
   const Soup soup = torus(48, 1, 0.4).turned();
   Execution execution(1);
-  const auto a = assembledOf(soup, cellsOf(0.13), options, execution);
+  const auto a = cutCellsOf(soup, cellsOf(0.13), options, execution);
   EditableWall wall =
     openWall({ a->boxes, a->patches, a->sides, a->nodes, a->wall }, {}, execution);
   EditMesh& whole = wall.mesh.mesh();

@@ -316,7 +316,7 @@ TEST(PointKinds, AreKnownOfNodesAtTheWall)
         SCOPED_TRACE(shape.name + ", " + std::to_string(cells) + " cells");
         Execution execution;
         const auto assembly =
-          assembledOf(soup, cellsAlongLongest(soup, cells), unshaped(), execution);
+          cutCellsOf(soup, cellsAlongLongest(soup, cells), unshaped(), execution);
         EXPECT_EQ(cornersAtTheWall(*assembly), shape.corners);
       }
     }
@@ -330,7 +330,7 @@ TEST(PointKinds, OfNodesStayWhereOtherPartsAreLeftOut)
   TestOptions options = unshaped();
   Execution execution;
   EXPECT_EQ(
-    cornersAtTheWall(*assembledOf(soup, cellsAlongLongest(soup, 20), options, execution)), 16u);
+    cornersAtTheWall(*cutCellsOf(soup, cellsAlongLongest(soup, 20), options, execution)), 16u);
   for (const double middle : { 0.0, 3.0 })
   {
     Vector inside{ 0, 0, 0 };
@@ -340,7 +340,7 @@ TEST(PointKinds, OfNodesStayWhereOtherPartsAreLeftOut)
     }
     options.domain.keepPoints = { plus(inside, { middle, middle / 30, 0 }) };
     EXPECT_EQ(
-      cornersAtTheWall(*assembledOf(soup, cellsAlongLongest(soup, 20), options, execution)), 8u);
+      cornersAtTheWall(*cutCellsOf(soup, cellsAlongLongest(soup, 20), options, execution)), 8u);
   }
 }
 
@@ -349,7 +349,7 @@ TEST(PointKinds, OfNodesAreKnownInRebuiltBoxes)
 {
   const Soup soup = kleinBottle(16);
   Execution execution;
-  const auto assembly = assembledOf(soup, cellsAlongLongest(soup, 9.7), unshaped(), execution);
+  const auto assembly = cutCellsOf(soup, cellsAlongLongest(soup, 9.7), unshaped(), execution);
   EXPECT_FALSE(assembly->rebuilt.empty());
   cornersAtTheWall(*assembly);
 }

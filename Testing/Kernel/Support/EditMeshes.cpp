@@ -190,7 +190,6 @@ private:
       face.below = rectangle.below;
       face.above = rectangle.above;
       face.wall = rectangle.wall;
-      face.number = static_cast<std::uint32_t>(mesh_.faceCount());
       mesh_.addFace(face, ring.data(), ring.size());
     }
   }
@@ -426,7 +425,7 @@ bool isSameRecord(const EditFace& a, const EditFace& b)
     both(a.cost, b.cost), both(a.behind, b.behind), both(a.volumeDeficit, b.volumeDeficit),
     both(a.star, b.star), both(a.warp, b.warp),
     both(a.accumulatedDeviation, b.accumulatedDeviation), both(a.below, b.below),
-    both(a.above, b.above), both(a.wall, b.wall), both(a.number, b.number), both(a.gone, b.gone),
+    both(a.above, b.above), both(a.wall, b.wall), both(a.shaped, b.shaped), both(a.gone, b.gone),
     both(a.fails, b.fails), both(a.strains, b.strains));
 }
 

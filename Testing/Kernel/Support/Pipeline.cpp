@@ -310,6 +310,20 @@ std::unique_ptr<Assembly> assembledOf(
   return meshPart(prepared, *decomposition, decomposition->allLayers(), options, execution);
 }
 
+std::unique_ptr<Assembly> cutCellsOf(
+  const Soup& soup, const GridSpec& grid, const TestOptions& given, Execution& execution)
+{
+  Options options = given;
+  options.grid = grid;
+  options.memoryLimit = PlentyOfMemory;
+  const PreparedSurface prepared = prepareSurface(soup.view(), options, execution);
+  const auto decomposition = decompose(prepared, options, execution);
+  Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
+  Patches patches = makePatches(prepared, *decomposition, boxes, options, execution);
+  return cutCells(std::move(boxes), std::move(patches), options, execution,
+    { prepared.keepPoints, prepared.isEnclosed });
+}
+
 namespace
 {
 

@@ -104,6 +104,10 @@ PreparedSurface prepareOnLevels(const Soup& soup, const Meshlines& planes);
 std::unique_ptr<Assembly> assembledOf(
   const Soup& soup, const GridSpec& grid, const TestOptions& options, Execution& execution);
 
+// The cells as they are cut, before edits.
+std::unique_ptr<Assembly> cutCellsOf(
+  const Soup& soup, const GridSpec& grid, const TestOptions& options, Execution& execution);
+
 Meshed meshPrepared(const PreparedSurface& prepared, const TestOptions& options = asTheyAre());
 Meshed meshOf(const Soup& soup, const GridSpec& grid, const TestOptions& options = asTheyAre());
 
