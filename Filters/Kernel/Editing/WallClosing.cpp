@@ -130,6 +130,7 @@ private:
     sortAll(polyhedra_, execution_);
   }
 
+  // Not if it only is as it was again: what it became part of may have other cells in its box.
   bool isWholeBox(std::uint32_t c) const
   {
     const Box box = boxes_.box(mesh_.cell(c).boxIndex);
@@ -146,7 +147,7 @@ private:
     return !mesh_.cell(c).gone && faces.size() == 6 &&
       std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
         const Items corners = mesh_.cornersOf(f);
-        return corners.size() == 4 && std::all_of(corners.begin(), corners.end(), isCorner);
+        return !mesh_.face(f).shaped && corners.size() == 4 && std::all_of(corners.begin(), corners.end(), isCorner);
       });
   }
 

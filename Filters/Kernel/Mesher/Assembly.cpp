@@ -402,7 +402,6 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
     }
   }
   removeFragments(a, options, execution);
-  a.patches.forgetPolygons();
   if (layers)
   {
     divideWarpedWalls(a.boxes, a.nodes, a.patches.walls, *layers, a.wall);

@@ -37,7 +37,7 @@ struct CellEdits
 struct Assembly
 {
   Boxes boxes;
-  Patches patches; // without their polygons, once cells are edited
+  Patches patches;
   Sides sides;
   Nodes nodes;
   InnerFaces inner; // until cells are assembled of them and the patches

@@ -35,15 +35,6 @@ struct Patches
   double surfaceVolume = 0;
 
   std::size_t size() const { return triangle.size(); }
-
-  // Frees the polygons themselves: from then on WallMesh and Nodes have them.
-  void forgetPolygons()
-  {
-    std::vector<Point>().swap(points);
-    RawVector<PointKind>().swap(kinds);
-    RawVector<std::size_t>().swap(start);
-    RawVector<std::uint32_t>().swap(corners);
-  }
 };
 
 // Whether the user chose the exact surface, which no later step may then approximate.

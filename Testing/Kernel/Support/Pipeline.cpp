@@ -324,27 +324,6 @@ std::unique_ptr<Assembly> cutCellsOf(
     { prepared.keepPoints, prepared.isEnclosed });
 }
 
-namespace
-{
-
-// With their polygons, which the wall mesh has.
-Patches patchesOf(const Assembly& a)
-{
-  Patches patches = a.patches;
-  const WallFaces& faces = a.wall.faces;
-  const std::size_t count = patches.size();
-  const std::size_t corners = faces.start[count];
-  patches.points.assign(
-    a.nodes.at.begin(), a.nodes.at.begin() + std::ptrdiff_t(a.nodes.patchPoints));
-  patches.kinds.assign(
-    a.nodes.kinds.begin(), a.nodes.kinds.begin() + std::ptrdiff_t(a.nodes.patchPoints));
-  patches.start.assign(faces.start.begin(), faces.start.begin() + std::ptrdiff_t(count + 1));
-  patches.corners.assign(faces.corners.begin(), faces.corners.begin() + std::ptrdiff_t(corners));
-  return patches;
-}
-
-}
-
 Meshed meshPrepared(const PreparedSurface& prepared, const TestOptions& options)
 {
   Execution execution(options.threads);
@@ -356,7 +335,7 @@ Meshed meshPrepared(const PreparedSurface& prepared, const TestOptions& options)
   result.mesh = arraysOf(*assembly->mesh, assembly->boxes, execution);
   result.flawedBoxes = flawedBoxes(*assembly);
   result.statistics = statisticsOf(*assembly);
-  result.patches = patchesOf(*assembly);
+  result.patches = assembly->patches;
   result.boxed = { std::move(assembly->boxes), decomposition->shoeboxes(),
     decomposition->warnings() };
   return result;
