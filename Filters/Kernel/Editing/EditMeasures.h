@@ -2,8 +2,8 @@
 // Measures of the editable mesh (WallObjective.h), and what a node's place means for them.
 #pragma once
 
-#include "Acceptance/WallObjective.h"
 #include "Editing/MeshEditor.h"
+#include "Editing/WallObjective.h"
 
 namespace cartesian
 {

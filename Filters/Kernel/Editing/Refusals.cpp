@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/Refusals.h"
 
-#include "Acceptance/Limits.h"
+#include "Quality/Limits.h"
 
 #include <algorithm>
 #include <cmath>

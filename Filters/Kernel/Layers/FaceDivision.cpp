@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/FaceDivision.h"
 
-#include "Acceptance/Skewness.h"
 #include "Base/Rings.h"
 #include "Polyhedra/CellGeometry.h"
+#include "Quality/Skewness.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Quality/QualityMeasures.h"
 
-#include "Acceptance/Skewness.h"
 #include "Base/Sorting.h"
 #include "Polyhedra/CellEdges.h"
+#include "Quality/Skewness.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // What faces and cells cost: where they fail, against the mesh's quality as OpenFOAM measures it, and gradients against
 // differences.
-#include "Acceptance/WallObjective.h"
 #include "Editing/EditMeasures.h"
+#include "Editing/WallObjective.h"
 #include "Quality/QualityMeasures.h"
 #include "Support/EditMeshes.h"
 

@@ -6,9 +6,9 @@
 // their sum saturates: no measure is worth any fidelity.
 #pragma once
 
-#include "Acceptance/Gradient.h"
-#include "Acceptance/Limits.h"
-#include "Acceptance/Skewness.h"
+#include "Editing/Gradient.h"
+#include "Quality/Limits.h"
+#include "Quality/Skewness.h"
 
 namespace cartesian
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Skewness against what can be worked out by hand.
-#include "Acceptance/Skewness.h"
+#include "Quality/Skewness.h"
 
 #include <gtest/gtest.h>
 
