@@ -151,7 +151,7 @@ public:
 
 private:
   using Face = FaceMeasures<WithGradient>;
-  using Cell = CellMeasures<WithGradient>;
+  using Cell = CellGeometryOf<WithGradient>;
 
   template <class List>
   static auto find(const List& list, std::uint32_t i) -> const decltype(list[0].second)*
@@ -218,8 +218,7 @@ private:
 
   Face measuresOf(std::uint32_t f) const
   {
-    return measuresOfFace<WithGradient>(
-      mesh_.face(f).corners.size, [&](std::size_t i) { return corner(f, i); });
+    return measuresOfFace(mesh_.face(f).corners.size, [&](std::size_t i) { return corner(f, i); });
   }
 
   Face measuresHeld(std::uint32_t f) const
@@ -240,7 +239,7 @@ private:
     return measuresOf(c, mesh_.facesOf(c));
   }
 
-  // As measuresOfCell of WallObjective.h. Faces that do not change are summed as numbers: of them only the mean moves.
+  // As measureCell of CellGeometry.h. Faces that do not change are summed as numbers: of them only the mean moves.
   Cell measuresOf(std::uint32_t c, Items faces) const
   {
     GradientVector mean{};
@@ -326,7 +325,7 @@ private:
 void measureFace(MeshEditor& mesh, std::uint32_t f)
 {
   EditFace& face = mesh.rawFace(f);
-  const FaceMeasures<double> measures = measuresOfFace<double>(
+  const FaceMeasures<double> measures = measuresOfFace(
     face.corners.size, [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); });
   face.centre = measures.centre;
   face.area = measures.area;
@@ -344,12 +343,9 @@ void measureFace(MeshEditor& mesh, std::uint32_t f)
 void measureCell(MeshEditor& mesh, std::uint32_t c)
 {
   const Items faces = mesh.facesOf(c);
-  const CellMeasures<double> measures = measuresOfCell<double>(faces.size(), [&](auto&& visit) {
-    for (const std::uint32_t f : faces)
-    {
-      const EditFace& face = mesh.face(f);
-      visit(face.centre, face.below == c ? face.area : scaled(face.area, -1));
-    }
+  const CellGeometry measures = measureCell(faces.size(), [&](std::size_t i) -> FaceGeometry {
+    const EditFace& face = mesh.face(faces[i]);
+    return { face.centre, face.below == c ? face.area : scaled(face.area, -1) };
   });
   EditCell& cell = mesh.rawCell(c);
   cell.centre = measures.centre;
@@ -363,7 +359,7 @@ Cost<double> costOfFace(const MeshView& mesh, std::uint32_t f, const ObjectiveSp
   return costBetween(
     mesh, f, spec, measures,
     [&](std::uint32_t c) {
-      return CellMeasures<double>{ mesh.cell(c).centre, mesh.cell(c).volume };
+      return CellGeometry{ mesh.cell(c).centre, mesh.cell(c).volume };
     },
     [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); });
 }

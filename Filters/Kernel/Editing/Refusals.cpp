@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/Refusals.h"
 
+#include "Quality/CellMeasures.h"
 #include "Quality/Limits.h"
 
 #include <algorithm>
@@ -41,18 +42,12 @@ bool hasLargeNear(const MeshView& mesh, std::uint32_t c)
 bool isLong(const MeshView& mesh, std::uint32_t c)
 {
   constexpr double Most = 0.9 * Limits::AspectRatio; // programs do not agree on areas
-  Vector sum{};
+  AreaSums sums;
   for (const std::uint32_t f : mesh.facesOf(c))
   {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      sum[k] += std::abs(mesh.face(f).area[k]);
-    }
+    sums.add(mesh.face(f).area);
   }
-  const auto [least, most] = std::minmax_element(sum.begin(), sum.end());
-  const double hull = (sum[0] + sum[1] + sum[2]) / 6;
-  const double edge = std::cbrt(mesh.cell(c).volume);
-  return (!(*most < Most * *least) || !(hull < Most * edge * edge)) &&
+  return !(sums.aspectRatio(std::abs(mesh.cell(c).volume)) < Most) &&
     (hasNoVolume(mesh, c) || hasLargeNear(mesh, c));
 }
 

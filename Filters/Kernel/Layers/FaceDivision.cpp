@@ -3,7 +3,7 @@
 
 #include "Base/Rings.h"
 #include "Polyhedra/CellGeometry.h"
-#include "Quality/Skewness.h"
+#include "Quality/FaceMeasures.h"
 
 #include <algorithm>
 #include <array>
@@ -107,8 +107,9 @@ bool FaceDivision::faces(const Part& ring) const
   const double height = dot(line, normal);
   const Vector aside = minus(line, scaled(normal, height));
   return dot(face.area, normal_) > 0 && norm(aside) < SteepestLine * height &&
-    !isSkewed(Ring{ corners_->data(), ring.data(), ring.size() }, face.centre, aside,
-      ShareOfHeight * height, MostSkew);
+    skewness(
+      ring.size(), [&](std::size_t i) { return (*corners_)[ring[i]]; }, face.centre, aside,
+      ShareOfHeight * height) <= MostSkew;
 }
 
 // 1 for an equilateral triangle, more for longer ones.

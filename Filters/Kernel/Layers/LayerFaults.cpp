@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/LayerFaults.h"
 
-#include "Polyhedra/CellGeometry.h"
+#include "Quality/CellMeasures.h"
 #include "Quality/CorrectionGain.h"
 
 #include <algorithm>

@@ -3,7 +3,8 @@
 
 #include "Base/Sorting.h"
 #include "Polyhedra/CellEdges.h"
-#include "Quality/Skewness.h"
+#include "Quality/CellMeasures.h"
+#include "Quality/FaceMeasures.h"
 
 #include <algorithm>
 
@@ -14,9 +15,6 @@ namespace
 {
 
 constexpr std::size_t ItemsAChunk = 512;
-
-// A cell whose area across one axis is below this part of that across another has no area there.
-constexpr double RoundingOfAreas = 1e-12;
 
 // The faces of each cell, beginning with those that it owns.
 class FacesOfCells
@@ -87,8 +85,7 @@ public:
     execution_.forEach(faces, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f)
       {
-        quality_.faceGeometry[f] =
-          measureFace(sizeOf(f), [&](std::size_t corner) { return position(corners(f)[corner]); });
+        measureAlone(f);
       }
     });
     execution_.nextLoop(0.25);
@@ -183,28 +180,29 @@ private:
     return sixfold / 6 / regular;
   }
 
-  double starOf(std::size_t face) const
+  void measureAlone(std::size_t face)
   {
-    return isWanted(StarTriangulation)
-      ? smallestOfStar(
-          sizeOf(face), [&](std::size_t i) { return position(corners(face)[i]); },
-          quality_.faceGeometry[face].area)
-      : MeasureSpecs[StarTriangulation].best;
+    const auto corner = [&](std::size_t i) { return position(corners(face)[i]); };
+    if (!isWanted(StarTriangulation))
+    {
+      quality_.faceGeometry[face] = measureFace(sizeOf(face), corner);
+      setFace(face, StarTriangulation, MeasureSpecs[StarTriangulation].best);
+      return;
+    }
+    const FaceMeasures<double> measures = measuresOfFace(sizeOf(face), corner);
+    quality_.faceGeometry[face] = { measures.centre, measures.area };
+    setFace(face, StarTriangulation, measures.star);
   }
 
-  // Distance of the line along `d` from the owner's centre to the centre of the face, divided by the extent
-  // of the face in that direction (or by a part of d).
-  double skewness(std::size_t face, const Vector& d, double partOfWay) const
+  // Of the line along `d` from the owner's centre.
+  double skewnessOf(std::size_t face, const Vector& d, double partOfWay) const
   {
     const FaceGeometry& geometry = quality_.faceGeometry[face];
     const Vector way = minus(geometry.centre, quality_.cellGeometry[owner(face)].centre);
     const double along = dot(geometry.area, way) / (dot(geometry.area, d) + Tiny);
-    const Vector miss = minus(way, scaled(d, along));
-    const Vector direction = scaled(miss, 1 / (norm(miss) + Tiny));
-    const auto corner = [&](std::size_t i) { return position(corners(face)[i]); };
-    const double reach =
-      reachAlong(sizeOf(face), corner, geometry.centre, direction, partOfWay * norm(d) + Tiny);
-    return norm(miss) / std::max(reach, Tiny);
+    return skewness(
+      sizeOf(face), [&](std::size_t i) { return position(corners(face)[i]); }, geometry.centre,
+      minus(way, scaled(d, along)), partOfWay * norm(d));
   }
 
   void setFace(std::size_t face, Measure measure, double value)
@@ -216,7 +214,6 @@ private:
   void measureFaceBetween(std::size_t face)
   {
     const FaceGeometry& geometry = quality_.faceGeometry[face];
-    setFace(face, StarTriangulation, starOf(face));
     const double ownerAngle = angleIn(owner(face), face);
     const double ownerTet = tetQualityIn(owner(face), face);
     if (!isInner(face))
@@ -224,7 +221,7 @@ private:
       // The shortest line to the plane of the face; the other measures have their best values.
       const Vector normal = scaled(geometry.area, 1 / (norm(geometry.area) + Tiny));
       const Vector way = minus(geometry.centre, quality_.cellGeometry[owner(face)].centre);
-      setFace(face, Skewness, skewness(face, scaled(normal, dot(normal, way)), ShareOfHeight));
+      setFace(face, Skewness, skewnessOf(face, scaled(normal, dot(normal, way)), ShareOfHeight));
       setFace(face, BoundaryAngle, ownerAngle);
       setFace(face, TetQuality, ownerTet);
       for (const Measure m : { InnerAngle, NonOrthogonality, FaceWeight, VolumeRatio })
@@ -239,7 +236,7 @@ private:
     setFace(face, BoundaryAngle, MeasureSpecs[BoundaryAngle].best);
     setFace(face, InnerAngle, std::max(ownerAngle, angleIn(neighbour(face), face)));
     setFace(face, NonOrthogonality, angle(d, geometry.area));
-    setFace(face, Skewness, skewness(face, d, ShareOfDistance));
+    setFace(face, Skewness, skewnessOf(face, d, ShareOfDistance));
     const double toLow = std::abs(dot(geometry.area, minus(geometry.centre, low.centre)));
     const double toHigh = std::abs(dot(geometry.area, minus(geometry.centre, high.centre)));
     setFace(face, FaceWeight, std::min(toLow, toHigh) / (toLow + toHigh + Tiny));
@@ -306,46 +303,21 @@ private:
   // Measures that are sums over face vectors.
   void setSums(std::size_t cell)
   {
-    Vector sum{ 0, 0, 0 };
-    Vector sizes{ 0, 0, 0 };
-    double innerArea = 0;
-    double innerFaces = 0;
-    std::array<Vector, 3> tensor{};
+    AreaSums all;
+    DeterminantOfCell<double> inner;
     forEachFace(cell, [&](std::size_t face) {
       const Vector area = outward(cell, face).area;
-      sum = plus(sum, area);
-      sizes = plus(sizes, { std::abs(area[0]), std::abs(area[1]), std::abs(area[2]) });
+      all.add(area);
       if (isInner(face))
       {
-        innerArea += norm(area);
-        innerFaces += 1;
-        for (std::size_t row = 0; row < 3; ++row)
-        {
-          tensor[row] = plus(tensor[row], scaled(area, area[row]));
-        }
+        inner.add(area);
       }
     });
     const double volume = quality_.cellGeometry[cell].volume;
-    const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
-    double openness = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      if (sizes[axis] > RoundingOfAreas * *most)
-      {
-        openness = std::max(openness, std::abs(sum[axis]) / sizes[axis]);
-      }
-    }
-    const double sphericity =
-      (sizes[0] + sizes[1] + sizes[2]) / 6 / std::pow(std::max(volume, Tiny), 2.0 / 3);
-    const double mean = innerArea / innerFaces;
-    constexpr double DeterminantOfCube = 8;
     setCell(cell, Volume, volume);
-    setCell(cell, Openness, openness);
-    setCell(cell, AspectRatio, std::max(*most / (*least + Tiny), sphericity));
-    setCell(cell, Determinant,
-      innerArea < Tiny ? 0
-                       : std::abs(dot(cross(tensor[0], tensor[1]), tensor[2])) / std::pow(mean, 6) /
-          DeterminantOfCube);
+    setCell(cell, Openness, all.openness());
+    setCell(cell, AspectRatio, all.aspectRatio(volume));
+    setCell(cell, Determinant, inner.value());
   }
 
   void setEdges(std::size_t cell, CellEdges& edges)
