@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/CellClosure.h"
 
+#include "Quality/Limits.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -9,8 +11,6 @@ namespace cartesian
 
 namespace
 {
-
-constexpr std::size_t LeastFaces = 4;
 
 // Of cells that are tested without allocating anything.
 constexpr std::size_t UsualFaces = 256;
@@ -120,7 +120,7 @@ private:
 int missesOf(const MeshView& mesh, std::uint32_t c, std::size_t corners, std::size_t nodes)
 {
   const std::size_t faces = mesh.facesOf(c).size();
-  const bool isPossible = faces >= LeastFaces && corners % 2 == 0;
+  const bool isPossible = faces >= SolverLimits::Faces && corners % 2 == 0;
   return isPossible ? int(corners / 2) + 2 - int(nodes + faces) : -1;
 }
 

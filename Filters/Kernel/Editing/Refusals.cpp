@@ -16,8 +16,6 @@ namespace
 // Volumes that differ by less, by their sum, are the same.
 constexpr double SameVolume = 1e-9;
 
-constexpr std::size_t LeastFaces = 4; // of a polyhedron
-
 bool isFacingAway(const MeshView& mesh, std::uint32_t f)
 {
   const EditFace& face = mesh.face(f);
@@ -41,13 +39,12 @@ bool hasLargeNear(const MeshView& mesh, std::uint32_t c)
 // By checkMesh's aspect ratio. Not cells of films where all is as thin, unless there is nothing between their walls.
 bool isLong(const MeshView& mesh, std::uint32_t c)
 {
-  constexpr double Most = 0.9 * Limits::AspectRatio; // programs do not agree on areas
   AreaSums sums;
   for (const std::uint32_t f : mesh.facesOf(c))
   {
     sums.add(mesh.face(f).area);
   }
-  return !(sums.aspectRatio(std::abs(mesh.cell(c).volume)) < Most) &&
+  return !(sums.aspectRatio(std::abs(mesh.cell(c).volume)) < EditLimits::AspectRatio) &&
     (hasNoVolume(mesh, c) || hasLargeNear(mesh, c));
 }
 
@@ -92,7 +89,7 @@ bool hasNoVolume(const MeshView& mesh, std::uint32_t c)
 
 bool isDegenerate(const MeshView& mesh, std::uint32_t c)
 {
-  return mesh.facesOf(c).size() < LeastFaces || isLong(mesh, c);
+  return mesh.facesOf(c).size() < SolverLimits::Faces || isLong(mesh, c);
 }
 
 bool isInvertedFrom(const MeshView& mesh, std::uint32_t f, std::uint32_t c)

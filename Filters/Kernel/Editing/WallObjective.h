@@ -47,18 +47,6 @@ struct ObjectiveSpec
   double mostDrift = 0.05; // in boxes: how far walls may have moved in the mean, by all edits
 };
 
-// Both walls and cells closer to the limits than this have failed: solvers do not agree on the centre of a face.
-struct FailsBeyond
-{
-  static constexpr double BoundaryCosine = 0.05; // 87 degrees
-  static constexpr double InnerCosine = 0.265;   // 74.6
-  static constexpr double Slope = 7.5;           // 70
-  static constexpr double Warp = 0.6;
-};
-
-// From here on a face is taken for one that checkMesh refuses: nearer than its limit, for the same reason.
-constexpr double RefusedSkewness = 3.9;
-
 template <class Number>
 struct Cost
 {
@@ -143,7 +131,7 @@ public:
     , spec_(spec)
     , area_(notBelow(norm(face.area), Tiny))
     , normal_(scaled(face.area, Number(1) / area_))
-    , fails_(face.star < Number(0) || face.warp > Number(FailsBeyond::Warp))
+    , fails_(face.star < Number(0) || face.warp > Number(EditLimits::Warp))
   {
     addShape();
   }
@@ -180,9 +168,9 @@ public:
     cost_ += squareOf(squareOf(Number(Wanted::InnerCosine)) * steepest);
     const VectorOf<Number> aside = minus(toFace, scaled(toAbove, nearer / across));
     addSkewness(aside, distance * ShareOfDistance, size, corner);
-    fails_ = fails_ || valueOf(slope) > FailsBeyond::Slope ||
-      isSteep(valueOf(near), valueOf(nearSquare), FailsBeyond::InnerCosine) ||
-      isSteep(valueOf(far), valueOf(farSquare), FailsBeyond::InnerCosine);
+    fails_ = fails_ || valueOf(slope) > EditLimits::Slope ||
+      isSteep(valueOf(near), valueOf(nearSquare), EditLimits::InnerCosine) ||
+      isSteep(valueOf(far), valueOf(farSquare), EditLimits::InnerCosine);
     isInverted_ = valueOf(near) < 0 || valueOf(far) < 0;
     inverted_ = int(!(valueOf(near) > 0)) + int(!(valueOf(far) > 0)) + int(!(valueOf(whole) > 0));
   }
@@ -202,7 +190,7 @@ public:
     cost_ += squareOf(square / squareOf(tall) * (1 / Wanted::BoundarySlope));
     addSkewness(aside, tall * ShareOfHeight, size, corner);
     fails_ =
-      fails_ || isSteep(valueOf(height), valueOf(dot(toFace, toFace)), FailsBeyond::BoundaryCosine);
+      fails_ || isSteep(valueOf(height), valueOf(dot(toFace, toFace)), EditLimits::BoundaryCosine);
     isInverted_ = valueOf(height) < 0;
     inverted_ = int(!(valueOf(height) > 0));
     if (const double length = norm(original); length > NegligibleArea * edge * edge)
@@ -307,7 +295,7 @@ private:
     const Number skewness = cartesian::skewness(size, corner, face_.centre, aside, least);
     cost_ += squareOf(squareOf(skewness * (1 / Wanted::Skewness)));
     fails_ = fails_ || !(valueOf(skewness) < Limits::Skewness);
-    isSkew_ = isSkew_ || !(valueOf(skewness) < RefusedSkewness);
+    isSkew_ = isSkew_ || !(valueOf(skewness) < EditLimits::RefusedSkewness);
   }
 
   const FaceMeasures<Number>& face_;

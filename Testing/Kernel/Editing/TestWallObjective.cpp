@@ -77,10 +77,10 @@ public:
 // Whether any measure of a face that the objective calls failing is beyond these limits; `limits` may be stricter.
 bool failsBeyond(const AsOutput& output, const MeshEditor& mesh, std::uint32_t f, bool withMargin)
 {
-  const double boundary = withMargin ? std::acos(FailsBeyond::BoundaryCosine) * 180 / Pi : 90;
-  const double inner = withMargin ? std::acos(FailsBeyond::InnerCosine) * 180 / Pi : 75;
+  const double boundary = withMargin ? std::acos(EditLimits::BoundaryCosine) * 180 / Pi : 90;
+  const double inner = withMargin ? std::acos(EditLimits::InnerCosine) * 180 / Pi : 75;
   const double orthogonality =
-    withMargin ? std::atan(std::sqrt(FailsBeyond::Slope)) * 180 / Pi : Limits::NonOrthogonality;
+    withMargin ? std::atan(std::sqrt(EditLimits::Slope)) * 180 / Pi : Limits::NonOrthogonality;
   const std::vector<std::size_t>& places = output.places.at(f);
   return std::any_of(places.begin(), places.end(), [&](std::size_t i) {
     const auto value = [&](Measure measure) { return output.quality.faces[measure][i]; };
