@@ -4,6 +4,7 @@
 #include "Base/Sorting.h"
 #include "Polyhedra/CellEdges.h"
 #include "Quality/CellMeasures.h"
+#include "Quality/FaceCorners.h"
 #include "Quality/FaceMeasures.h"
 
 #include <algorithm>
@@ -58,8 +59,7 @@ class Meter
 public:
   Meter(const double* points, const CellFaces& cells, const FaceList& list, Execution& execution,
     const QualityLimits& limits, std::uint32_t leftOut)
-    : points_(points)
-    , cells_(cells)
+    : faces_(cells, points)
     , list_(list)
     , of_(list, cells.cellCount(), execution)
     , execution_(execution)
@@ -119,18 +119,15 @@ private:
   bool isInner(std::size_t face) const { return face < list_.neighbour.size(); }
   std::size_t owner(std::size_t face) const { return list_.owner[face]; }
   std::size_t neighbour(std::size_t face) const { return list_.neighbour[face]; }
-  const std::uint32_t* corners(std::size_t face) const
+  std::size_t sizeOf(std::size_t face) const { return faces_.size(list_.face[face]); }
+  std::uint32_t point(std::size_t face, std::size_t i) const
   {
-    return cells_.corners.data() + cells_.firstCorner[list_.face[face]];
+    return faces_.id(list_.face[face], i);
   }
-  std::size_t sizeOf(std::size_t face) const
+  Vector corner(std::size_t face, std::size_t i) const { return faces_.at(point(face, i)); }
+  auto cornersOf(std::size_t face) const
   {
-    return cells_.firstCorner[list_.face[face] + 1] - cells_.firstCorner[list_.face[face]];
-  }
-  Vector position(std::size_t point) const
-  {
-    const double* p = points_ + 3 * point;
-    return { p[0], p[1], p[2] };
+    return [this, face](std::size_t i) { return corner(face, i); };
   }
 
   FaceGeometry outward(std::size_t cell, std::size_t face) const
@@ -156,9 +153,8 @@ private:
     double worst = MeasureSpecs[TetQuality].best;
     for (std::size_t i = 0; isWanted(TetQuality) && i < sizeOf(face); ++i)
     {
-      const Vector a = minus(position(corners(face)[i]), geometry.centre);
-      const Vector b =
-        minus(position(corners(face)[i + 1 < sizeOf(face) ? i + 1 : 0]), geometry.centre);
+      const Vector a = minus(corner(face, i), geometry.centre);
+      const Vector b = minus(corner(face, i + 1 < sizeOf(face) ? i + 1 : 0), geometry.centre);
       const Vector c = minus(quality_.cellGeometry[cell].centre, geometry.centre);
       worst = std::min(worst, sign * tetQuality(a, b, c));
     }
@@ -182,14 +178,13 @@ private:
 
   void measureAlone(std::size_t face)
   {
-    const auto corner = [&](std::size_t i) { return position(corners(face)[i]); };
     if (!isWanted(StarTriangulation))
     {
-      quality_.faceGeometry[face] = measureFace(sizeOf(face), corner);
+      quality_.faceGeometry[face] = measureFace(sizeOf(face), cornersOf(face));
       setFace(face, StarTriangulation, MeasureSpecs[StarTriangulation].best);
       return;
     }
-    const FaceMeasures<double> measures = measuresOfFace(sizeOf(face), corner);
+    const FaceMeasures<double> measures = measuresOfFace(sizeOf(face), cornersOf(face));
     quality_.faceGeometry[face] = { measures.centre, measures.area };
     setFace(face, StarTriangulation, measures.star);
   }
@@ -200,9 +195,8 @@ private:
     const FaceGeometry& geometry = quality_.faceGeometry[face];
     const Vector way = minus(geometry.centre, quality_.cellGeometry[owner(face)].centre);
     const double along = dot(geometry.area, way) / (dot(geometry.area, d) + Tiny);
-    return skewness(
-      sizeOf(face), [&](std::size_t i) { return position(corners(face)[i]); }, geometry.centre,
-      minus(way, scaled(d, along)), partOfWay * norm(d));
+    return skewness(sizeOf(face), cornersOf(face), geometry.centre, minus(way, scaled(d, along)),
+      partOfWay * norm(d));
   }
 
   void setFace(std::size_t face, Measure measure, double value)
@@ -333,14 +327,14 @@ private:
       const bool owned = owner(face) == cell;
       for (std::size_t i = 0; i < sizeOf(face); ++i)
       {
-        const std::uint32_t from = corners(face)[i];
-        const std::uint32_t to = corners(face)[i + 1 < sizeOf(face) ? i + 1 : 0];
+        const std::uint32_t from = point(face, i);
+        const std::uint32_t to = point(face, i + 1 < sizeOf(face) ? i + 1 : 0);
         const Vector normal = normalAt(face, from, to);
         owned ? edges.add(from, to, normal) : edges.add(to, from, scaled(normal, -1));
       }
     });
     const CellEdges::Result result =
-      edges.measure([&](std::size_t point) { return position(point); });
+      edges.measure([&](std::uint32_t point) { return faces_.at(point); });
     setCell(cell, OpenEdges, result.open);
     setCell(cell, Concavity, result.concavity);
   }
@@ -352,13 +346,12 @@ private:
     constexpr double Sliver = 1e-6; // of the face's area
     const FaceGeometry& geometry = quality_.faceGeometry[face];
     const Vector triangle =
-      cross(minus(position(from), geometry.centre), minus(position(to), geometry.centre));
+      cross(minus(faces_.at(from), geometry.centre), minus(faces_.at(to), geometry.centre));
     const double least = Sliver * dot(geometry.area, geometry.area);
     return dot(triangle, geometry.area) > least ? triangle : geometry.area;
   }
 
-  const double* points_;
-  const CellFaces& cells_;
+  const FaceCorners faces_;
   const FaceList& list_;
   FacesOfCells of_;
   Execution& execution_;
