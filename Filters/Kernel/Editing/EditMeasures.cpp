@@ -11,26 +11,6 @@ namespace
 
 constexpr std::size_t RecordsAChunk = 1024;
 
-double volumeBehind(const MeshView& mesh, std::uint32_t f)
-{
-  const std::size_t size = mesh.face(f).corners.size;
-  Vector mean{};
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    mean = plus(mean, mesh.corner(f, i));
-  }
-  mean = scaled(mean, 1.0 / double(size));
-  double volume = 0;
-  Vector p = mesh.corner(f, size - 1);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    const Vector& q = mesh.corner(f, i);
-    volume += dot(mean, cross(p, q));
-    p = q;
-  }
-  return volume / 6;
-}
-
 // A wall costs what it costs its cell; between two regions, both: each side is a wall.
 template <class Number, class CellOf, class Corner>
 Cost<Number> costBetween(const MeshView& mesh, std::uint32_t f, const ObjectiveSpec& spec,
@@ -325,15 +305,15 @@ private:
 void measureFace(MeshEditor& mesh, std::uint32_t f)
 {
   EditFace& face = mesh.rawFace(f);
-  const FaceMeasures<double> measures = measuresOfFace(
-    face.corners.size, [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); });
+  const auto corner = [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); };
+  const FaceMeasures<double> measures = measuresOfFace(face.corners.size, corner);
   face.centre = measures.centre;
   face.area = measures.area;
   face.star = static_cast<float>(measures.star);
   face.warp = static_cast<float>(measures.warp);
   if (mesh.isSurface(f))
   {
-    const double behind = volumeBehind(mesh, f);
+    const double behind = measureCone(face.corners.size, corner).volume;
     (mesh.isWall(f) ? mesh.delta.volume : mesh.delta.interRegionVolume) +=
       mesh.signOf(f) * (behind - face.behind);
     face.behind = behind;

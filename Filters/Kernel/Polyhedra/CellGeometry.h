@@ -63,6 +63,22 @@ VectorOf<NumberOf<Corner>> forEachStarTriangle(std::size_t size, Corner&& corner
   return mean;
 }
 
+// What the star triangles of a face enclose with the origin.
+struct Cone
+{
+  Vector area;
+  double volume; // positive if the face is seen from behind
+};
+
+template <class Corner>
+Cone measureCone(std::size_t size, Corner&& corner)
+{
+  Vector area{};
+  const Vector mean = forEachStarTriangle(size, corner,
+    [&](const Vector&, const Vector&, const Vector& triangle) { area = plus(area, triangle); });
+  return { area, dot(mean, area) / 3 };
+}
+
 // Sums over the triangles of a star.
 template <class Number>
 struct StarSums
