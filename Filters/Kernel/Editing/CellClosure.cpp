@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/CellClosure.h"
 
+#include "Base/DisjointSets.h"
 #include "Quality/Limits.h"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ public:
       edge.key = key;
       edge.face = face;
     }
-    connect(edge.face, face);
+    pieces_ -= uniteIn(group_, edge.face, face) ? 1 : 0;
     same < opposite ? --open_ : ++open_;
     ++same;
     return true;
@@ -84,24 +85,6 @@ private:
       i = (i + 1) & mask;
     }
     return edges_[i];
-  }
-
-  std::uint32_t groupOf(std::uint32_t face)
-  {
-    while (group_[face] != face)
-    {
-      group_[face] = group_[group_[face]];
-      face = group_[face];
-    }
-    return face;
-  }
-
-  void connect(std::uint32_t f, std::uint32_t g)
-  {
-    const std::uint32_t one = groupOf(f);
-    const std::uint32_t other = groupOf(g);
-    pieces_ -= one != other ? 1 : 0;
-    group_[one] = other;
   }
 
   bool mayTouch_;
