@@ -23,6 +23,13 @@ bool isFacingAway(const MeshView& mesh, std::uint32_t f)
     !(dot(face.area, minus(mesh.cell(face.above).centre, mesh.cell(face.below).centre)) > 0);
 }
 
+// As seen from one of its cells.
+bool isInvertedAlone(const MeshView& mesh, std::uint32_t f, std::uint32_t c)
+{
+  const double out = pyramidVolume(mesh.face(f), mesh.cell(c).centre);
+  return !((mesh.face(f).below == c ? out : -out) > 0);
+}
+
 // Whether a cell that shares a node is no part of a film, as those of a body are that is thin everywhere.
 bool hasLargeNear(const MeshView& mesh, std::uint32_t c)
 {
@@ -94,13 +101,7 @@ bool isDegenerate(const MeshView& mesh, std::uint32_t c)
 
 bool isInvertedFrom(const MeshView& mesh, std::uint32_t f, std::uint32_t c)
 {
-  const EditFace& face = mesh.face(f);
-  if (face.inverted == 0)
-  {
-    return false;
-  }
-  const double out = dot(face.area, minus(face.centre, mesh.cell(c).centre));
-  return !((face.below == c ? out : -out) > 0) || isFacingAway(mesh, f);
+  return mesh.face(f).inverted != 0 && (isInvertedAlone(mesh, f, c) || isFacingAway(mesh, f));
 }
 
 bool hasInverted(const MeshView& mesh, std::uint32_t c)
@@ -123,10 +124,8 @@ Refusals refusalsIn(const MeshView& mesh, std::uint32_t c)
   Refusals sum{};
   for (const std::uint32_t f : mesh.facesOf(c))
   {
-    const EditFace& face = mesh.face(f);
-    const double out = dot(face.area, minus(face.centre, mesh.cell(c).centre));
-    sum.inverted += int(!((face.below == c ? out : -out) > 0)) + int(isFacingAway(mesh, f));
-    sum.skew += face.skew ? 1 : 0;
+    sum.inverted += int(isInvertedAlone(mesh, f, c)) + int(isFacingAway(mesh, f));
+    sum.skew += mesh.face(f).skew ? 1 : 0;
   }
   sum.skew += isDegenerate(mesh, c) ? 1 : 0;
   return sum;

@@ -163,6 +163,13 @@ auto measureCell(std::size_t size, Face&& face)
   };
 }
 
+// Of the pyramid on a face, which has a centre and an area; negative if that looks at the apex.
+template <class Face>
+double pyramidVolume(const Face& face, const Vector& apex)
+{
+  return dot(face.area, minus(face.centre, apex)) / 3;
+}
+
 // In degrees, 0 to 180; 90 if one of the vectors is zero.
 inline double angle(const Vector& u, const Vector& v)
 {

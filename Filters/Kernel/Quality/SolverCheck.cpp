@@ -105,9 +105,8 @@ private:
   // The pyramid from a cell's centre, if the face's area points out of the cell times `sign`.
   bool isInverted(std::size_t f, std::uint32_t cell, double sign) const
   {
-    const FaceGeometry& face = quality_.faceGeometry[f];
-    const Vector height = minus(face.centre, quality_.cellGeometry[cell].centre);
-    return sign * dot(face.area, height) / 3 < SolverLimits::PyramidVolume;
+    return sign * pyramidVolume(quality_.faceGeometry[f], quality_.cellGeometry[cell].centre) <
+      SolverLimits::PyramidVolume;
   }
 
   void lookAtCell(std::uint32_t c)
