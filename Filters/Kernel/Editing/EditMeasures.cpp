@@ -9,7 +9,19 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t RecordsAChunk = 1024;
+// Calls visit(mesh, i) for i < count; chunks have an editor each.
+template <class Visitor>
+void forEachRecord(EditMesh& whole, std::size_t count, Execution& execution, Visitor&& visit)
+{
+  constexpr std::size_t RecordsAChunk = 1024;
+  execution.forEach(count, RecordsAChunk, [&](std::size_t begin, std::size_t end) {
+    MeshEditor mesh(whole, 0, 0, {});
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+    {
+      visit(mesh, i);
+    }
+  });
+}
 
 // A wall costs what it costs its cell; between two regions, both: each side is a wall.
 template <class Number, class CellOf, class Corner>
@@ -362,8 +374,12 @@ Cost<double> costOfCell(const MeshView& mesh, std::uint32_t c)
       determinant.add(mesh.face(f).area);
     }
   }
-  const EditCell& cell = mesh.cell(c);
-  return costOfCell(cell.volume / cell.boxVolume, mesh.wantedShare(), determinant.value());
+  return costOfCell(shareOf(mesh, c), mesh.wantedShare(), determinant.value());
+}
+
+double shareOf(const MeshView& mesh, std::uint32_t c)
+{
+  return mesh.cell(c).volume / mesh.cell(c).boxVolume;
 }
 
 void setCostOfCell(MeshEditor& mesh, std::uint32_t c)
@@ -390,48 +406,32 @@ void setCost(EditFace& face, const Cost<double>& cost)
 
 void measureAll(EditMesh& whole, Execution& execution)
 {
-  execution.forEach(whole.faces.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
-    MeshEditor mesh(whole, 0, 0, {});
-    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+  forEachRecord(whole, whole.faces.size(), execution, [](MeshEditor& mesh, std::uint32_t f) {
+    if (!mesh.face(f).gone)
     {
-      if (!mesh.face(i).gone)
-      {
-        measureFace(mesh, i);
-      }
+      measureFace(mesh, f);
     }
   });
-  execution.forEach(whole.cells.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
-    MeshEditor mesh(whole, 0, 0, {});
-    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+  forEachRecord(whole, whole.cells.size(), execution, [](MeshEditor& mesh, std::uint32_t c) {
+    if (!mesh.cell(c).gone && !mesh.isGhost(c))
     {
-      if (!mesh.cell(i).gone && !mesh.isGhost(i))
-      {
-        measureCell(mesh, i);
-      }
+      measureCell(mesh, c);
     }
   });
 }
 
 void costAll(EditMesh& whole, const ObjectiveSpec& spec, Execution& execution)
 {
-  execution.forEach(whole.cells.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
-    MeshEditor mesh(whole, 0, 0, {});
-    for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c)
+  forEachRecord(whole, whole.cells.size(), execution, [](MeshEditor& mesh, std::uint32_t c) {
+    if (mesh.isFree(c))
     {
-      if (mesh.isFree(c))
-      {
-        setCostOfCell(mesh, c);
-      }
+      setCostOfCell(mesh, c);
     }
   });
-  execution.forEach(whole.faces.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
-    MeshEditor mesh(whole, 0, 0, {});
-    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f)
+  forEachRecord(whole, whole.faces.size(), execution, [&](MeshEditor& mesh, std::uint32_t f) {
+    if (!mesh.face(f).gone)
     {
-      if (!mesh.face(f).gone)
-      {
-        setCostOfFace(mesh, f, spec);
-      }
+      setCostOfFace(mesh, f, spec);
     }
   });
 }

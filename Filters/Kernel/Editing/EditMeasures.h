@@ -17,6 +17,9 @@ void measureCell(MeshEditor& mesh, std::uint32_t c);
 // What edits left dirty, whatever its shape; it stays listed. False: a cell has no volume.
 bool measureDirty(MeshEditor& mesh);
 
+// A cell's volume by its box's.
+double shareOf(const MeshView& mesh, std::uint32_t c);
+
 // Of a face or cell as measured.
 Cost<double> costOfFace(const MeshView& mesh, std::uint32_t f, const ObjectiveSpec& spec);
 Cost<double> costOfCell(const MeshView& mesh, std::uint32_t c);

@@ -38,11 +38,6 @@ double edgeAt(const MeshView& mesh, std::uint32_t f)
   return mesh.cell(mesh.face(f).below).edge;
 }
 
-double shareOf(const MeshView& mesh, std::uint32_t c)
-{
-  return mesh.cell(c).volume / mesh.cell(c).boxVolume;
-}
-
 void proposeMerges(const MeshView& mesh, std::uint32_t c, std::size_t most, Proposals& proposals)
 {
   if (!mesh.isFree(c))
