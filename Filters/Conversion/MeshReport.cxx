@@ -5,7 +5,7 @@
 #include "BoundaryOfFaces.h"
 #include "MeshInWords.h"
 #include "MeshValues.h"
-#include "Polyhedra/CellGeometry.h"
+#include "Quality/FaceCorners.h"
 #include "Quality/WorstMeasure.h"
 #include "ReportPictures.h"
 #include "vtkFiniteVolumeQuality.h"
@@ -136,12 +136,8 @@ private:
     {
       BoundaryRow& row = rows_[boundary_[i]];
       const std::size_t face = faces_.face[faces_.neighbour.size() + i];
-      const std::size_t first = cells_.firstCorner[face];
       row.faces += 1;
-      row.area += norm(measureFace(cells_.firstCorner[face + 1] - first, [&](std::size_t corner) {
-        const double* p = points_ + 3 * static_cast<std::size_t>(cells_.corners[first + corner]);
-        return Vector{ p[0], p[1], p[2] };
-      }).area);
+      row.area += norm(FaceCorners(cells_, points_).geometry(face).area);
     }
   }
 

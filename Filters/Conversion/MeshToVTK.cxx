@@ -5,8 +5,8 @@
 #include "FieldData.h"
 #include "Mesher/Stages.h"
 #include "Mesher/Statistics.h"
-#include "Polyhedra/CellGeometry.h"
 #include "PolyhedronStorage.h"
+#include "Quality/FaceMeasures.h"
 #include "RefinementLevel.h"
 
 #include "vtkCellArray.h"

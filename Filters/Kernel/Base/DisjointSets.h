@@ -12,6 +12,28 @@
 namespace cartesian
 {
 
+// The same in any array of numbers, each at first its own.
+template <class Parents>
+std::uint32_t rootOf(Parents&& parent, std::uint32_t x)
+{
+  while (parent[x] != x)
+  {
+    parent[x] = parent[parent[x]];
+    x = parent[x];
+  }
+  return x;
+}
+
+// Whether they were separate.
+template <class Parents>
+bool uniteIn(Parents&& parent, std::uint32_t x, std::uint32_t y)
+{
+  const std::uint32_t rootX = rootOf(parent, x);
+  const std::uint32_t rootY = rootOf(parent, y);
+  parent[std::max(rootX, rootY)] = std::min(rootX, rootY);
+  return rootX != rootY;
+}
+
 class DisjointSets
 {
 public:
@@ -28,24 +50,13 @@ public:
   void add() { parent_.push_back(static_cast<std::uint32_t>(parent_.size())); }
 
   // The lowest number of the set that holds x.
-  std::uint32_t find(std::uint32_t x)
-  {
-    while (parent_[x] != x)
-    {
-      parent_[x] = parent_[parent_[x]];
-      x = parent_[x];
-    }
-    return x;
-  }
+  std::uint32_t find(std::uint32_t x) { return rootOf(parent_, x); }
 
   // Returns the lowest number of the united set.
   std::uint32_t unite(std::uint32_t x, std::uint32_t y)
   {
-    const std::uint32_t rootX = find(x);
-    const std::uint32_t rootY = find(y);
-    const std::uint32_t root = std::min(rootX, rootY);
-    parent_[std::max(rootX, rootY)] = root;
-    return root;
+    uniteIn(parent_, x, y);
+    return find(x);
   }
 
 private:

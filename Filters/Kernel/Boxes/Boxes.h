@@ -11,6 +11,7 @@
 #include "Base/RawVector.h"
 #include "Boxes/BoxTree.h"
 #include "Lattice/Meshlines.h"
+#include "Lattice/Vector.h"
 #include "Surface/Walls.h"
 
 #include <algorithm>
@@ -44,6 +45,13 @@ struct Box : PackedBox
   Point low;
   Point high;
 };
+
+// In levels cubed.
+inline double volumeOf(const Box& box)
+{
+  const Vector size = minus(box.high, box.low);
+  return size[0] * size[1] * size[2];
+}
 
 using CornerRegions = std::array<std::int32_t, 8>;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells/BoxVolumes.h"
 
+#include "Polyhedra/CellGeometry.h"
+
 #include <cmath>
 
 namespace cartesian
@@ -39,37 +41,12 @@ void BoxVolumes::measureFaces(const BoxFaces& faces, const Point& origin)
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     ring_.clear();
-    Vector mean{ 0, 0, 0 };
-    faces.forEachCorner(f, [&](std::uint32_t node) {
-      ring_.push_back(minus(nodes_.at[node], origin));
-      mean = plus(mean, ring_.back());
-    });
-    for (double& x : mean)
-    {
-      x /= static_cast<double>(ring_.size());
-    }
-    measures_.push_back(measure(mean));
+    faces.forEachCorner(
+      f, [&](std::uint32_t node) { ring_.push_back(minus(nodes_.at[node], origin)); });
+    const Cone cone =
+      measureCone(ring_.size(), [&](std::size_t i) -> const Vector& { return ring_[i]; });
+    measures_.push_back({ norm(cone.area), cone.volume });
   }
-}
-
-BoxVolumes::FaceMeasure BoxVolumes::measure(const Vector& mean) const
-{
-  Vector area{ 0, 0, 0 };
-  FaceMeasure m;
-  for (std::size_t i = 0; i < ring_.size(); ++i)
-  {
-    const Vector& p = ring_[i];
-    const Vector& q = ring_[i + 1 < ring_.size() ? i + 1 : 0];
-    const Vector twice = cross({ p[0] - mean[0], p[1] - mean[1], p[2] - mean[2] },
-      { q[0] - mean[0], q[1] - mean[1], q[2] - mean[2] });
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      area[axis] += twice[axis] / 2;
-    }
-    m.volume += dot(twice, mean) / 6;
-  }
-  m.area = std::sqrt(dot(area, area));
-  return m;
 }
 
 void BoxVolumes::findShells(BoxFaces& faces)

@@ -64,7 +64,6 @@ private:
   };
 
   void measureFaces(const BoxFaces& faces, const Point& origin);
-  FaceMeasure measure(const Vector& mean) const;
   void findShells(BoxFaces& faces);
   std::size_t fillVoids(const BoxFaces& faces);
   std::size_t dropFolds(const BoxFaces& faces);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/CellClosure.h"
 
+#include "Base/DisjointSets.h"
+#include "Quality/Limits.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -9,8 +12,6 @@ namespace cartesian
 
 namespace
 {
-
-constexpr std::size_t LeastFaces = 4;
 
 // Of cells that are tested without allocating anything.
 constexpr std::size_t UsualFaces = 256;
@@ -57,7 +58,7 @@ public:
       edge.key = key;
       edge.face = face;
     }
-    connect(edge.face, face);
+    pieces_ -= uniteIn(group_, edge.face, face) ? 1 : 0;
     same < opposite ? --open_ : ++open_;
     ++same;
     return true;
@@ -86,24 +87,6 @@ private:
     return edges_[i];
   }
 
-  std::uint32_t groupOf(std::uint32_t face)
-  {
-    while (group_[face] != face)
-    {
-      group_[face] = group_[group_[face]];
-      face = group_[face];
-    }
-    return face;
-  }
-
-  void connect(std::uint32_t f, std::uint32_t g)
-  {
-    const std::uint32_t one = groupOf(f);
-    const std::uint32_t other = groupOf(g);
-    pieces_ -= one != other ? 1 : 0;
-    group_[one] = other;
-  }
-
   bool mayTouch_;
   bool touches_ = false;
   std::array<Edge, UsualCorners> usualEdges_;
@@ -120,7 +103,7 @@ private:
 int missesOf(const MeshView& mesh, std::uint32_t c, std::size_t corners, std::size_t nodes)
 {
   const std::size_t faces = mesh.facesOf(c).size();
-  const bool isPossible = faces >= LeastFaces && corners % 2 == 0;
+  const bool isPossible = faces >= SolverLimits::Faces && corners % 2 == 0;
   return isPossible ? int(corners / 2) + 2 - int(nodes + faces) : -1;
 }
 

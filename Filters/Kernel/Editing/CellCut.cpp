@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/CellCut.h"
 
+#include "Base/DisjointSets.h"
 #include "Base/Rings.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Editing/WallEdges.h"
@@ -427,28 +428,22 @@ private:
       section_.size() >= 3; // parts may touch along edges alone
   }
 
-  std::size_t groupOf(std::size_t face) const
+  std::uint32_t groupOf(std::size_t face)
   {
-    while (group_[face] != face)
-    {
-      face = group_[face];
-    }
-    return face;
+    return rootOf(group_, static_cast<std::uint32_t>(face));
   }
 
   // Faces of the same part have one group: the lowest of them.
   void groupFaces()
   {
     group_.resize(faces_.size());
-    std::iota(group_.begin(), group_.end(), std::size_t(0));
+    std::iota(group_.begin(), group_.end(), 0U);
     for (const Edge& edge : edges_)
     {
       const std::uint32_t other = across(edge);
       if (inFront_[edge.face] == inFront_[other])
       {
-        const std::size_t one = groupOf(edge.face);
-        const std::size_t two = groupOf(other);
-        group_[std::max(one, two)] = std::min(one, two);
+        uniteIn(group_, edge.face, other);
       }
     }
   }
@@ -565,7 +560,7 @@ private:
   FixedList<bool, MostFaces> inFront_; // of the plane
   FixedList<Edge, MostEdges> edges_;
   FixedList<Edge, MostOfSection> section_;
-  FixedList<std::size_t, MostFaces> group_;
+  FixedList<std::uint32_t, MostFaces> group_;
 };
 
 }

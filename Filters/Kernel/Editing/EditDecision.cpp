@@ -492,8 +492,7 @@ bool mayJoin(
 
 bool mayMerge(const MeshView& mesh, const EditRules& rules, std::uint32_t a, std::uint32_t b)
 {
-  const auto share = [&](std::uint32_t c) { return mesh.cell(c).volume / mesh.cell(c).boxVolume; };
-  return std::min(share(a), share(b)) < rules.mostMerged;
+  return std::min(shareOf(mesh, a), shareOf(mesh, b)) < rules.mostMerged;
 }
 
 double decide(const MeshEditor& mesh, const EditRules& rules, const MeshEditor::Mark& mark,

@@ -6,8 +6,8 @@
 // except for a charge. What remains is a matter of cost (WallObjective.h): the gain has to be large enough.
 #pragma once
 
-#include "Acceptance/WallObjective.h"
 #include "Editing/MeshEditor.h"
+#include "Editing/WallObjective.h"
 
 namespace cartesian
 {

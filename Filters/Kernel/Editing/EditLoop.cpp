@@ -2,6 +2,7 @@
 #include "Editing/EditLoop.h"
 #include "Editing/VolumeDeficits.h"
 
+#include "Editing/EditMeasures.h"
 #include "Editing/NodeMoves.h"
 
 #include <algorithm>
@@ -250,10 +251,8 @@ private:
   // A cut may be better.
   bool makesLargeCell(const Proposal& proposal) const
   {
-    const auto share = [&](std::uint32_t c) {
-      return mesh_.cell(c).volume / mesh_.cell(c).boxVolume;
-    };
-    return proposal.kind == EditKind::Merge && share(proposal.a) + share(proposal.b) > LargeCell;
+    return proposal.kind == EditKind::Merge &&
+      shareOf(mesh_, proposal.a) + shareOf(mesh_, proposal.b) > LargeCell;
   }
 
   FixedList<std::uint32_t, 16> nodesOf(const Item& item) const

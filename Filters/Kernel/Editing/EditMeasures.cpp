@@ -9,26 +9,18 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t RecordsAChunk = 1024;
-
-double volumeBehind(const MeshView& mesh, std::uint32_t f)
+// Calls visit(mesh, i) for i < count; chunks have an editor each.
+template <class Visitor>
+void forEachRecord(EditMesh& whole, std::size_t count, Execution& execution, Visitor&& visit)
 {
-  const std::size_t size = mesh.face(f).corners.size;
-  Vector mean{};
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    mean = plus(mean, mesh.corner(f, i));
-  }
-  mean = scaled(mean, 1.0 / double(size));
-  double volume = 0;
-  Vector p = mesh.corner(f, size - 1);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    const Vector& q = mesh.corner(f, i);
-    volume += dot(mean, cross(p, q));
-    p = q;
-  }
-  return volume / 6;
+  constexpr std::size_t RecordsAChunk = 1024;
+  execution.forEach(count, RecordsAChunk, [&](std::size_t begin, std::size_t end) {
+    MeshEditor mesh(whole, 0, 0, {});
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+    {
+      visit(mesh, i);
+    }
+  });
 }
 
 // A wall costs what it costs its cell; between two regions, both: each side is a wall.
@@ -151,7 +143,7 @@ public:
 
 private:
   using Face = FaceMeasures<WithGradient>;
-  using Cell = CellMeasures<WithGradient>;
+  using Cell = CellGeometryOf<WithGradient>;
 
   template <class List>
   static auto find(const List& list, std::uint32_t i) -> const decltype(list[0].second)*
@@ -218,8 +210,7 @@ private:
 
   Face measuresOf(std::uint32_t f) const
   {
-    return measuresOfFace<WithGradient>(
-      mesh_.face(f).corners.size, [&](std::size_t i) { return corner(f, i); });
+    return measuresOfFace(mesh_.face(f).corners.size, [&](std::size_t i) { return corner(f, i); });
   }
 
   Face measuresHeld(std::uint32_t f) const
@@ -240,7 +231,7 @@ private:
     return measuresOf(c, mesh_.facesOf(c));
   }
 
-  // As measuresOfCell of WallObjective.h. Faces that do not change are summed as numbers: of them only the mean moves.
+  // As measureCell of CellGeometry.h. Faces that do not change are summed as numbers: of them only the mean moves.
   Cell measuresOf(std::uint32_t c, Items faces) const
   {
     GradientVector mean{};
@@ -326,15 +317,15 @@ private:
 void measureFace(MeshEditor& mesh, std::uint32_t f)
 {
   EditFace& face = mesh.rawFace(f);
-  const FaceMeasures<double> measures = measuresOfFace<double>(
-    face.corners.size, [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); });
+  const auto corner = [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); };
+  const FaceMeasures<double> measures = measuresOfFace(face.corners.size, corner);
   face.centre = measures.centre;
   face.area = measures.area;
   face.star = static_cast<float>(measures.star);
   face.warp = static_cast<float>(measures.warp);
   if (mesh.isSurface(f))
   {
-    const double behind = volumeBehind(mesh, f);
+    const double behind = measureCone(face.corners.size, corner).volume;
     (mesh.isWall(f) ? mesh.delta.volume : mesh.delta.interRegionVolume) +=
       mesh.signOf(f) * (behind - face.behind);
     face.behind = behind;
@@ -344,12 +335,9 @@ void measureFace(MeshEditor& mesh, std::uint32_t f)
 void measureCell(MeshEditor& mesh, std::uint32_t c)
 {
   const Items faces = mesh.facesOf(c);
-  const CellMeasures<double> measures = measuresOfCell<double>(faces.size(), [&](auto&& visit) {
-    for (const std::uint32_t f : faces)
-    {
-      const EditFace& face = mesh.face(f);
-      visit(face.centre, face.below == c ? face.area : scaled(face.area, -1));
-    }
+  const CellGeometry measures = measureCell(faces.size(), [&](std::size_t i) -> FaceGeometry {
+    const EditFace& face = mesh.face(faces[i]);
+    return { face.centre, face.below == c ? face.area : scaled(face.area, -1) };
   });
   EditCell& cell = mesh.rawCell(c);
   cell.centre = measures.centre;
@@ -363,7 +351,7 @@ Cost<double> costOfFace(const MeshView& mesh, std::uint32_t f, const ObjectiveSp
   return costBetween(
     mesh, f, spec, measures,
     [&](std::uint32_t c) {
-      return CellMeasures<double>{ mesh.cell(c).centre, mesh.cell(c).volume };
+      return CellGeometry{ mesh.cell(c).centre, mesh.cell(c).volume };
     },
     [&](std::size_t i) -> const Vector& { return mesh.corner(f, i); });
 }
@@ -386,8 +374,12 @@ Cost<double> costOfCell(const MeshView& mesh, std::uint32_t c)
       determinant.add(mesh.face(f).area);
     }
   }
-  const EditCell& cell = mesh.cell(c);
-  return costOfCell(cell.volume / cell.boxVolume, mesh.wantedShare(), determinant.value());
+  return costOfCell(shareOf(mesh, c), mesh.wantedShare(), determinant.value());
+}
+
+double shareOf(const MeshView& mesh, std::uint32_t c)
+{
+  return mesh.cell(c).volume / mesh.cell(c).boxVolume;
 }
 
 void setCostOfCell(MeshEditor& mesh, std::uint32_t c)
@@ -414,48 +406,32 @@ void setCost(EditFace& face, const Cost<double>& cost)
 
 void measureAll(EditMesh& whole, Execution& execution)
 {
-  execution.forEach(whole.faces.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
-    MeshEditor mesh(whole, 0, 0, {});
-    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+  forEachRecord(whole, whole.faces.size(), execution, [](MeshEditor& mesh, std::uint32_t f) {
+    if (!mesh.face(f).gone)
     {
-      if (!mesh.face(i).gone)
-      {
-        measureFace(mesh, i);
-      }
+      measureFace(mesh, f);
     }
   });
-  execution.forEach(whole.cells.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
-    MeshEditor mesh(whole, 0, 0, {});
-    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+  forEachRecord(whole, whole.cells.size(), execution, [](MeshEditor& mesh, std::uint32_t c) {
+    if (!mesh.cell(c).gone && !mesh.isGhost(c))
     {
-      if (!mesh.cell(i).gone && !mesh.isGhost(i))
-      {
-        measureCell(mesh, i);
-      }
+      measureCell(mesh, c);
     }
   });
 }
 
 void costAll(EditMesh& whole, const ObjectiveSpec& spec, Execution& execution)
 {
-  execution.forEach(whole.cells.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
-    MeshEditor mesh(whole, 0, 0, {});
-    for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c)
+  forEachRecord(whole, whole.cells.size(), execution, [](MeshEditor& mesh, std::uint32_t c) {
+    if (mesh.isFree(c))
     {
-      if (mesh.isFree(c))
-      {
-        setCostOfCell(mesh, c);
-      }
+      setCostOfCell(mesh, c);
     }
   });
-  execution.forEach(whole.faces.size(), RecordsAChunk, [&](std::size_t begin, std::size_t end) {
-    MeshEditor mesh(whole, 0, 0, {});
-    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f)
+  forEachRecord(whole, whole.faces.size(), execution, [&](MeshEditor& mesh, std::uint32_t f) {
+    if (!mesh.face(f).gone)
     {
-      if (!mesh.face(f).gone)
-      {
-        setCostOfFace(mesh, f, spec);
-      }
+      setCostOfFace(mesh, f, spec);
     }
   });
 }

@@ -2,8 +2,8 @@
 // Measures of the editable mesh (WallObjective.h), and what a node's place means for them.
 #pragma once
 
-#include "Acceptance/WallObjective.h"
 #include "Editing/MeshEditor.h"
+#include "Editing/WallObjective.h"
 
 namespace cartesian
 {
@@ -16,6 +16,9 @@ void measureCell(MeshEditor& mesh, std::uint32_t c);
 
 // What edits left dirty, whatever its shape; it stays listed. False: a cell has no volume.
 bool measureDirty(MeshEditor& mesh);
+
+// A cell's volume by its box's.
+double shareOf(const MeshView& mesh, std::uint32_t c);
 
 // Of a face or cell as measured.
 Cost<double> costOfFace(const MeshView& mesh, std::uint32_t f, const ObjectiveSpec& spec);

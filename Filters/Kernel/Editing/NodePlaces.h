@@ -2,8 +2,8 @@
 // No two nodes at one place.
 #pragma once
 
-#include "Acceptance/WallObjective.h"
 #include "Editing/EditMesh.h"
+#include "Editing/WallObjective.h"
 
 namespace cartesian
 {

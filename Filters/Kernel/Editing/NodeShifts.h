@@ -3,8 +3,8 @@
 // none.
 #pragma once
 
-#include "Acceptance/WallObjective.h"
 #include "Editing/MeshEditor.h"
+#include "Editing/WallObjective.h"
 
 #include <functional>
 

@@ -38,11 +38,6 @@ double edgeAt(const MeshView& mesh, std::uint32_t f)
   return mesh.cell(mesh.face(f).below).edge;
 }
 
-double shareOf(const MeshView& mesh, std::uint32_t c)
-{
-  return mesh.cell(c).volume / mesh.cell(c).boxVolume;
-}
-
 void proposeMerges(const MeshView& mesh, std::uint32_t c, std::size_t most, Proposals& proposals)
 {
   if (!mesh.isFree(c))
@@ -153,23 +148,15 @@ double starOfPart(const MeshView& mesh, std::uint32_t f, std::size_t i, std::siz
   const std::size_t size = mesh.face(f).corners.size;
   const std::size_t count = (j + size - i) % size + 1;
   const Vector normal = unit(mesh.face(f).area);
-  const auto at = [&](std::size_t k) -> const Vector& {
-    return mesh.corner(f, (i + k % count) % size);
-  };
-  Vector mean{};
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    mean = plus(mean, scaled(at(k), 1.0 / double(count)));
-  }
+  const auto at = [&](std::size_t k) -> const Vector& { return mesh.corner(f, (i + k) % size); };
   double sum = 0;
   double least = -NoGain;
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    const double area = dot(cross(minus(at(k), mean), minus(at(k + 1), mean)), normal);
+  forEachStarTriangle(count, at, [&](const Vector&, const Vector&, const Vector& triangle) {
+    const double area = dot(triangle, normal);
     sum += area;
     least = std::min(least, area);
-  }
-  constexpr double LeastArea = 1e-4; // of a box's side
+  });
+  constexpr double LeastArea = 0.5e-4; // of a box's side
   const double edge = edgeAt(mesh, f);
   return sum > LeastArea * edge * edge ? least * double(count) / sum : NoGain;
 }

@@ -228,8 +228,7 @@ private:
 
   bool remove(std::uint32_t p)
   {
-    const RemovedPiece piece{ mesh_.cell(p).centre,
-      mesh_.cell(p).volume / mesh_.cell(p).boxVolume };
+    const RemovedPiece piece{ mesh_.cell(p).centre, shareOf(mesh_, p) };
     const std::vector<std::uint32_t> cells = withFlapsBeside(p);
     std::vector<MadeEdit> edits;
     for (const std::uint32_t c : cells)

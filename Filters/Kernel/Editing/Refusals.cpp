@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/Refusals.h"
 
-#include "Acceptance/Limits.h"
+#include "Quality/CellMeasures.h"
+#include "Quality/Limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +16,18 @@ namespace
 // Volumes that differ by less, by their sum, are the same.
 constexpr double SameVolume = 1e-9;
 
-constexpr std::size_t LeastFaces = 4; // of a polyhedron
-
 bool isFacingAway(const MeshView& mesh, std::uint32_t f)
 {
   const EditFace& face = mesh.face(f);
   return !mesh.isSurface(f) &&
     !(dot(face.area, minus(mesh.cell(face.above).centre, mesh.cell(face.below).centre)) > 0);
+}
+
+// As seen from one of its cells.
+bool isInvertedAlone(const MeshView& mesh, std::uint32_t f, std::uint32_t c)
+{
+  const double out = pyramidVolume(mesh.face(f), mesh.cell(c).centre);
+  return !((mesh.face(f).below == c ? out : -out) > 0);
 }
 
 // Whether a cell that shares a node is no part of a film, as those of a body are that is thin everywhere.
@@ -40,19 +46,12 @@ bool hasLargeNear(const MeshView& mesh, std::uint32_t c)
 // By checkMesh's aspect ratio. Not cells of films where all is as thin, unless there is nothing between their walls.
 bool isLong(const MeshView& mesh, std::uint32_t c)
 {
-  constexpr double Most = 0.9 * Limits::AspectRatio; // programs do not agree on areas
-  Vector sum{};
+  AreaSums sums;
   for (const std::uint32_t f : mesh.facesOf(c))
   {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      sum[k] += std::abs(mesh.face(f).area[k]);
-    }
+    sums.add(mesh.face(f).area);
   }
-  const auto [least, most] = std::minmax_element(sum.begin(), sum.end());
-  const double hull = (sum[0] + sum[1] + sum[2]) / 6;
-  const double edge = std::cbrt(mesh.cell(c).volume);
-  return (!(*most < Most * *least) || !(hull < Most * edge * edge)) &&
+  return !(sums.aspectRatio(std::abs(mesh.cell(c).volume)) < EditLimits::AspectRatio) &&
     (hasNoVolume(mesh, c) || hasLargeNear(mesh, c));
 }
 
@@ -97,18 +96,12 @@ bool hasNoVolume(const MeshView& mesh, std::uint32_t c)
 
 bool isDegenerate(const MeshView& mesh, std::uint32_t c)
 {
-  return mesh.facesOf(c).size() < LeastFaces || isLong(mesh, c);
+  return mesh.facesOf(c).size() < SolverLimits::Faces || isLong(mesh, c);
 }
 
 bool isInvertedFrom(const MeshView& mesh, std::uint32_t f, std::uint32_t c)
 {
-  const EditFace& face = mesh.face(f);
-  if (face.inverted == 0)
-  {
-    return false;
-  }
-  const double out = dot(face.area, minus(face.centre, mesh.cell(c).centre));
-  return !((face.below == c ? out : -out) > 0) || isFacingAway(mesh, f);
+  return mesh.face(f).inverted != 0 && (isInvertedAlone(mesh, f, c) || isFacingAway(mesh, f));
 }
 
 bool hasInverted(const MeshView& mesh, std::uint32_t c)
@@ -131,10 +124,8 @@ Refusals refusalsIn(const MeshView& mesh, std::uint32_t c)
   Refusals sum{};
   for (const std::uint32_t f : mesh.facesOf(c))
   {
-    const EditFace& face = mesh.face(f);
-    const double out = dot(face.area, minus(face.centre, mesh.cell(c).centre));
-    sum.inverted += int(!((face.below == c ? out : -out) > 0)) + int(isFacingAway(mesh, f));
-    sum.skew += face.skew ? 1 : 0;
+    sum.inverted += int(isInvertedAlone(mesh, f, c)) + int(isFacingAway(mesh, f));
+    sum.skew += mesh.face(f).skew ? 1 : 0;
   }
   sum.skew += isDegenerate(mesh, c) ? 1 : 0;
   return sum;

@@ -3,8 +3,8 @@
 // walls move along their normals until it is paid, except where a face would become poor.
 #pragma once
 
-#include "Acceptance/WallObjective.h"
 #include "Editing/EditMesh.h"
+#include "Editing/WallObjective.h"
 
 namespace cartesian
 {

@@ -3,8 +3,8 @@
 // the line between them as if it were across.
 #pragma once
 
-#include "Acceptance/WallObjective.h"
 #include "Editing/EditMesh.h"
+#include "Editing/WallObjective.h"
 
 namespace cartesian
 {

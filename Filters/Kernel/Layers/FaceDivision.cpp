@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/FaceDivision.h"
 
-#include "Acceptance/Skewness.h"
 #include "Base/Rings.h"
 #include "Polyhedra/CellGeometry.h"
+#include "Quality/FaceMeasures.h"
+#include "Quality/Limits.h"
 
 #include <algorithm>
 #include <array>
@@ -19,13 +20,6 @@ namespace
 
 // Sine of the angle by which a corner may turn back where parts are joined.
 constexpr double Straight = 0.02;
-
-// Tangent of the angle between the normal of a part and the line to it from the centre of its cell: solvers count more than
-// 70 degrees as severe.
-constexpr double SteepestLine = 2.6;
-
-// As a boundary face, which it stays where layers end.
-constexpr double MostSkew = 3;
 
 constexpr double Refused = std::numeric_limits<double>::infinity();
 
@@ -106,9 +100,10 @@ bool FaceDivision::faces(const Part& ring) const
   const Vector line = minus(face.centre, cell_);
   const double height = dot(line, normal);
   const Vector aside = minus(line, scaled(normal, height));
-  return dot(face.area, normal_) > 0 && norm(aside) < SteepestLine * height &&
-    !isSkewed(Ring{ corners_->data(), ring.data(), ring.size() }, face.centre, aside,
-      ShareOfHeight * height, MostSkew);
+  return dot(face.area, normal_) > 0 && norm(aside) < LayerLimits::Slope * height &&
+    skewness(
+      ring.size(), [&](std::size_t i) { return (*corners_)[ring[i]]; }, face.centre, aside,
+      ShareOfHeight * height) <= LayerLimits::Skewness;
 }
 
 // 1 for an equilateral triangle, more for longer ones.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/LayerFaults.h"
 
-#include "Polyhedra/CellGeometry.h"
+#include "Quality/CellMeasures.h"
 #include "Quality/CorrectionGain.h"
+#include "Quality/FaceCorners.h"
 
 #include <algorithm>
 
@@ -35,14 +36,11 @@ void addPolyhedron(CellFaces& cells, const Id* stream)
 // however thin it is.
 bool isFlat(const CellFaces& cells, std::size_t cell, const std::vector<double>& points)
 {
+  const FaceCorners faces(cells, points.data());
   AreaSpread spread;
   for (std::size_t f = cells.firstFace[cell]; f < cells.firstFace[cell + 1]; ++f)
   {
-    const std::size_t first = cells.firstCorner[f];
-    spread.add(measureFace(cells.firstCorner[f + 1] - first, [&](std::size_t i) {
-      const double* const at = &points[3 * std::size_t(cells.corners[first + i])];
-      return Vector{ at[0], at[1], at[2] };
-    }).area);
+    spread.add(faces.geometry(f).area);
   }
   return spread.third() < LayerLimits::ThirdDirection;
 }

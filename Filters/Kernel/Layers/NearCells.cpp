@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/NearCells.h"
 
-#include "Polyhedra/CellGeometry.h"
+#include "Quality/FaceCorners.h"
 
 #include <algorithm>
 
@@ -128,18 +128,7 @@ std::vector<double> volumesOf(const CellFaces& cells, const std::vector<double>&
   std::vector<FaceGeometry> faces;
   for (std::size_t c = 0; c < result.size(); ++c)
   {
-    faces.clear();
-    for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
-    {
-      const std::uint32_t* const corners = &cells.corners[cells.firstCorner[f]];
-      faces.push_back(
-        measureFace(cells.firstCorner[f + 1] - cells.firstCorner[f], [&](std::size_t i) -> Vector {
-          const double* const at = &points[3 * static_cast<std::size_t>(corners[i])];
-          return { at[0], at[1], at[2] };
-        }));
-    }
-    const auto face = [&](std::size_t i) -> const FaceGeometry& { return faces[i]; };
-    result[c] = measureCell(faces.size(), face).volume;
+    result[c] = FaceCorners(cells, points.data()).geometryOfCell(c, faces).volume;
   }
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/CellConditions.h"
 
+#include "Quality/CellMeasures.h"
 #include "Quality/QualityMeasures.h"
 
 #include <algorithm>
@@ -30,22 +31,19 @@ public:
     const CellGeometry geometry =
       measureCell(faces_.size(), [&](std::size_t f) -> const FaceGeometry& { return faces_[f]; });
     std::array<bool, 2> failing{ false, false }; // at inner faces, at the boundary
-    Vector sum{ 0, 0, 0 };
-    double sizes = 0;
+    AreaSums sums;
     for (std::size_t f = 0; f < faces_.size(); ++f)
     {
-      const double size = norm(faces_[f].area);
-      sum = plus(sum, faces_[f].area);
-      sizes += size;
+      sums.add(faces_[f].area);
       // Compares cosines, for speed.
       const Vector way = minus(faces_[f].centre, geometry.centre);
       const bool boundary = isBoundary(parts_.wall.uses[parts_.wall.cells[cell].firstUse + f]);
-      const double least = boundary ? 0 : leastInnerCosine_ * norm(way) * size;
+      const double least = boundary ? 0 : leastInnerCosine_ * norm(way) * norm(faces_[f].area);
       failing[boundary] = failing[boundary] || !(dot(way, faces_[f].area) > least);
     }
     failures_.boundaryAngle += failing[1];
     failures_.innerAngle += failing[0];
-    failures_.open += fails(Openness, norm(sum) / sizes);
+    failures_.open += fails(Openness, sums.openness());
     failures_.negativeVolume += fails(Volume, geometry.volume);
   }
 

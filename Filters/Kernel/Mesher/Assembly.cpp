@@ -123,9 +123,8 @@ void simplifyDetail(Assembly& a, Execution& execution)
     behind[n] = spaceBehind(at, a.patches, box).sum();
     if (patchesOf(a, box) <= TooManyPatches)
     {
-      const Vector size = minus(at.high, at.low);
-      detailed[n] = std::abs(spaceBehind(at, trial, box).sum() - behind[n]) <=
-        VolumeOfDetail * size[0] * size[1] * size[2];
+      detailed[n] =
+        std::abs(spaceBehind(at, trial, box).sum() - behind[n]) <= VolumeOfDetail * volumeOf(at);
     }
   }
   a.patches = simplified();
@@ -252,9 +251,7 @@ std::optional<RemovedCell> remove(Assembly& a, std::uint32_t c, RemovalReason re
   {
     return std::nullopt;
   }
-  const Box box = a.boxes.box(cell.box);
-  const Vector size = minus(box.high, box.low);
-  return RemovedCell{ cell.box, cell.volumeFraction * size[0] * size[1] * size[2], reason };
+  return RemovedCell{ cell.box, cell.volumeFraction * volumeOf(a.boxes.box(cell.box)), reason };
 }
 
 // Solvers cannot use overlapping cells, however exactly they represent the surface. If edits have made some

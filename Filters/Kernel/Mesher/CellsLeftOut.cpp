@@ -9,17 +9,6 @@
 namespace cartesian
 {
 
-namespace
-{
-
-double volumeOf(const Box& box)
-{
-  const Vector size = minus(box.high, box.low);
-  return size[0] * size[1] * size[2];
-}
-
-}
-
 std::vector<CellLeftOut> cellsLeftOut(const Assembly& a)
 {
   std::vector<CellLeftOut> cells;

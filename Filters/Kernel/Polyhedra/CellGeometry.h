@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Centres, areas and volumes of polygons and polyhedra as OpenFOAM computes them, and the angles of
-// section 3. Works in any unit of length.
+// section 3. Works in any unit of length, with doubles or with numbers that know more, such as their gradients.
 #pragma once
 
-#include "Lattice/StarPolygons.h"
 #include "Lattice/Vector.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
+#include <type_traits>
 
 namespace cartesian
 {
@@ -16,173 +15,159 @@ namespace cartesian
 // Smaller areas and volumes count as zero; this only keeps divisors from vanishing.
 constexpr double Tiny = 1e-150;
 
-// A polygon of some nodes, counter-clockwise from outside.
-struct Ring
-{
-  const Vector* nodes;
-  const std::uint32_t* corners;
-  std::size_t size;
+template <class Number>
+using VectorOf = std::array<Number, 3>;
 
-  const Vector& operator[](std::size_t i) const { return nodes[corners[i]]; }
+inline double valueOf(double x)
+{
+  return x;
+}
+
+// The numbers of what corner(i), or face(i), gives.
+template <class Function>
+using AtIndex = std::decay_t<std::invoke_result_t<Function&, std::size_t>>;
+template <class Corner>
+using NumberOf = typename AtIndex<Corner>::value_type;
+
+template <class Number>
+struct FaceGeometryOf
+{
+  VectorOf<Number> centre; // area-weighted mean of the star triangles' centres
+  VectorOf<Number>
+    area; // sum of the star triangles' area vectors (equation 1), positive counter-clockwise
 };
 
-struct FaceGeometry
-{
-  Vector centre; // area-weighted mean of the star triangles' centres
-  Vector area;   // sum of the star triangles' area vectors (equation 1), positive counter-clockwise
-};
-
-// How the areas of a cell's faces spread over three directions: solvers invert the sum of their squares, divided by
-// their lengths, to reconstruct velocity from fluxes (OpenFOAM's fvc::reconstruct).
-class AreaSpread
-{
-public:
-  void add(const Vector& area)
-  {
-    const double size = norm(area) + Tiny;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      sum_[axis] = plus(sum_[axis], scaled(area, area[axis] / size));
-    }
-  }
-
-  // The smallest eigenvalue of the sum by the next larger one, about: 1 for a cube, 0 where no face has a third direction.
-  double third() const
-  {
-    const double trace = sum_[0][0] + sum_[1][1] + sum_[2][2];
-    const double minors =
-      cross(sum_[1], sum_[2])[0] + cross(sum_[2], sum_[0])[1] + cross(sum_[0], sum_[1])[2];
-    return 3 * dot(sum_[0], cross(sum_[1], sum_[2])) * trace / std::max(minors * minors, Tiny);
-  }
-
-private:
-  std::array<Vector, 3> sum_{};
-};
+using FaceGeometry = FaceGeometryOf<double>;
 
 // Calls visit(p, q, area) for the star triangles around the mean of a face's corners, corner(0) to
 // corner(size - 1): two corners relative to the mean, and the triangle's area vector. Returns the
 // mean.
 template <class Corner, class Visitor>
-Vector forEachStarTriangle(std::size_t size, Corner&& corner, Visitor&& visit)
+VectorOf<NumberOf<Corner>> forEachStarTriangle(std::size_t size, Corner&& corner, Visitor&& visit)
 {
-  const Vector origin = corner(0); // sums are relative to this, for accuracy
-  Vector mean{ 0, 0, 0 };
+  using Vectors = VectorOf<NumberOf<Corner>>;
+  const Vectors origin = corner(0); // sums are relative to this, for accuracy
+  Vectors mean{};
   for (std::size_t i = 1; i < size; ++i)
   {
     mean = plus(mean, minus(corner(i), origin));
   }
   mean = plus(origin, scaled(mean, 1.0 / static_cast<double>(size)));
-  Vector p = minus(corner(size - 1), mean);
+  Vectors p = minus(corner(size - 1), mean);
   for (std::size_t i = 0; i < size; ++i)
   {
-    const Vector q = minus(corner(i), mean);
+    const Vectors q = minus(corner(i), mean);
     visit(p, q, scaled(cross(p, q), 0.5));
     p = q;
   }
   return mean;
 }
 
-// Calls visit(area) for the triangles of its star, unless it is a triangle.
-template <class Corner, class Visitor>
-FaceGeometry measureFace(std::size_t size, Corner&& corner, Visitor&& visit)
+// What the star triangles of a face enclose with the origin.
+struct Cone
 {
-  if (size == 3)
+  Vector area;
+  double volume; // positive if the face is seen from behind
+};
+
+template <class Corner>
+Cone measureCone(std::size_t size, Corner&& corner)
+{
+  Vector area{};
+  const Vector mean = forEachStarTriangle(size, corner,
+    [&](const Vector&, const Vector&, const Vector& triangle) { area = plus(area, triangle); });
+  return { area, dot(mean, area) / 3 };
+}
+
+// Sums over the triangles of a star.
+template <class Number>
+struct StarSums
+{
+  VectorOf<Number> mean; // of the corners
+  VectorOf<Number> area{};
+  VectorOf<Number> moment{};
+  Number size = Number(0); // of the triangles' areas
+
+  FaceGeometryOf<Number> geometry() const
   {
-    const Vector p = minus(corner(1), corner(0));
-    const Vector q = minus(corner(2), corner(0));
-    return { plus(corner(0), scaled(plus(p, q), 1.0 / 3)), scaled(cross(p, q), 0.5) };
+    return { valueOf(size) > Tiny ? plus(mean, scaled(moment, Number(1) / size)) : mean, area };
   }
-  Vector area{ 0, 0, 0 };
-  Vector moment{ 0, 0, 0 };
-  double sum = 0;
-  const Vector mean = forEachStarTriangle(
-    size, corner, [&](const Vector& p, const Vector& q, const Vector& triangle) {
-      const double part = norm(triangle);
-      area = plus(area, triangle);
-      moment = plus(moment, scaled(plus(p, q), part / 3));
-      sum += part;
+};
+
+// Calls visit(area) for the triangles.
+template <class Corner, class Visitor>
+StarSums<NumberOf<Corner>> sumStar(std::size_t size, Corner&& corner, Visitor&& visit)
+{
+  using Number = NumberOf<Corner>;
+  using Vectors = VectorOf<Number>;
+  StarSums<Number> sums;
+  sums.mean = forEachStarTriangle(
+    size, corner, [&](const Vectors& p, const Vectors& q, const Vectors& triangle) {
+      const Number part = norm(triangle);
+      sums.area = plus(sums.area, triangle);
+      sums.moment = plus(sums.moment, scaled(plus(p, q), part * (1.0 / 3)));
+      sums.size += part;
       visit(triangle);
     });
-  return { sum < Tiny ? mean : plus(mean, scaled(moment, 1 / sum)), area };
+  return sums;
 }
 
 template <class Corner>
-FaceGeometry measureFace(std::size_t size, Corner&& corner)
+FaceGeometryOf<NumberOf<Corner>> measureTriangle(Corner&& corner)
 {
-  return measureFace(size, corner, [](const Vector&) {});
+  const VectorOf<NumberOf<Corner>> origin = corner(0);
+  const VectorOf<NumberOf<Corner>> p = minus(corner(1), origin);
+  const VectorOf<NumberOf<Corner>> q = minus(corner(2), origin);
+  return { plus(origin, scaled(plus(p, q), 1.0 / 3)), scaled(cross(p, q), 0.5) };
 }
 
-// The least of a star's triangles, by the products of their areas with that of the whole.
-class StarShare
+template <class Corner>
+FaceGeometryOf<NumberOf<Corner>> measureFace(std::size_t size, Corner&& corner)
 {
-public:
-  void add(double product) { least_ = std::min(least_, product); }
+  return size == 3 ? measureTriangle(corner) : sumStar(size, corner, [](const auto&) {}).geometry();
+}
 
-  // Relative to the mean of so many, at most 1; without any, 1.
-  double smallest(std::size_t size, const Vector& area) const
-  {
-    const double mean = dot(area, area) / static_cast<double>(size) + Tiny;
-    return std::min(1.0, least_ / mean); // the least divided is the least of those divided
-  }
-
-private:
-  double least_ = std::numeric_limits<double>::infinity();
+template <class Number>
+struct CellGeometryOf
+{
+  VectorOf<Number>
+    centre; // of mass, from the pyramids between the faces and the mean of their centres
+  Number volume;
 };
 
-// The area of the smallest star triangle relative to the mean one; negative if it is inverted.
-template <class Corner>
-double smallestOfStar(std::size_t size, Corner&& corner, const Vector& area)
-{
-  StarShare share;
-  if (size > 3)
-  {
-    forEachStarTriangle(size, corner, [&](const Vector&, const Vector&, const Vector& triangle) {
-      share.add(dot(triangle, area));
-    });
-  }
-  return share.smallest(size, area);
-}
-
-// Polygons count as flat up to this angle, in degrees, between a star triangle and the whole.
-constexpr double FlatUpTo = 15;
-
-// Whether a polygon is not flat: the paper's IP patches (4.11).
-template <class Corner>
-bool isBent(std::size_t size, Corner&& corner, const Vector& area)
-{
-  const double least = std::cos(radians(FlatUpTo));
-  bool bent = false;
-  forEachStarTriangle(size, corner, [&](const Vector&, const Vector&, const Vector& triangle) {
-    bent = bent || dot(triangle, area) < least * norm(triangle) * norm(area);
-  });
-  return bent;
-}
-
-struct CellGeometry
-{
-  Vector centre; // of mass, from the pyramids between the faces and the mean of their centres
-  double volume;
-};
+using CellGeometry = CellGeometryOf<double>;
 
 // A cell of `size` faces, face(i), with outward areas.
 template <class Face>
-CellGeometry measureCell(std::size_t size, Face&& face)
+auto measureCell(std::size_t size, Face&& face)
 {
-  Vector mean{ 0, 0, 0 };
+  using Number = typename decltype(AtIndex<Face>::centre)::value_type;
+  VectorOf<Number> mean{};
   for (std::size_t i = 0; i < size; ++i)
   {
-    mean = plus(mean, scaled(face(i).centre, 1.0 / static_cast<double>(size)));
+    mean = plus(mean, face(i).centre);
   }
-  Vector moment{ 0, 0, 0 };
-  double volume = 0;
+  mean = scaled(mean, 1.0 / static_cast<double>(std::max<std::size_t>(size, 1)));
+  VectorOf<Number> moment{};
+  Number volume(0);
   for (std::size_t i = 0; i < size; ++i)
   {
-    const FaceGeometry& f = face(i);
-    const Vector height = minus(f.centre, mean);
-    volume += dot(f.area, height) / 3;
-    moment = plus(moment, scaled(height, dot(f.area, height) / 4));
+    const auto& f = face(i);
+    const VectorOf<Number> height = minus(f.centre, mean);
+    const Number product = dot(f.area, height);
+    volume += product * (1.0 / 3);
+    moment = plus(moment, scaled(height, product * 0.25));
   }
-  return { std::abs(volume) < Tiny ? mean : plus(mean, scaled(moment, 1 / volume)), volume };
+  return CellGeometryOf<Number>{
+    std::abs(valueOf(volume)) < Tiny ? mean : plus(mean, scaled(moment, Number(1) / volume)), volume
+  };
+}
+
+// Of the pyramid on a face, which has a centre and an area; negative if that looks at the apex.
+template <class Face>
+double pyramidVolume(const Face& face, const Vector& apex)
+{
+  return dot(face.area, minus(face.centre, apex)) / 3;
 }
 
 // In degrees, 0 to 180; 90 if one of the vectors is zero.

@@ -3,7 +3,7 @@
 
 #include "Base/Error.h"
 #include "Base/Sorting.h"
-#include "Lattice/Vector.h"
+#include "Quality/FaceCorners.h"
 
 #include <array>
 #include <limits>
@@ -237,28 +237,14 @@ void placeFaces(const CellFaces& cells, const std::vector<std::uint32_t>& neighb
 
 void turnOutward(CellFaces& cells, const double* points, Execution& execution)
 {
-  const auto point = [&](std::size_t corner, std::size_t from) {
-    const double* p = points + 3 * std::size_t(cells.corners[corner]);
-    const double* q = points + 3 * std::size_t(cells.corners[from]);
-    return Vector{ p[0] - q[0], p[1] - q[1], p[2] - q[2] };
-  };
+  const FaceCorners faces(cells, points);
   const auto volume = [&](std::size_t cell) {
-    double sum = 0; // six times the volume, by star triangulation (equation 1)
-    const std::size_t from = cells.firstCorner[cells.firstFace[cell]];
+    const Vector from = faces.corner(cells.firstFace[cell], 0);
+    double sum = 0;
     for (std::size_t f = cells.firstFace[cell]; f < cells.firstFace[cell + 1]; ++f)
     {
-      Vector mean{ 0, 0, 0 };
-      Vector twice{ 0, 0, 0 };
-      const std::size_t end = cells.firstCorner[f + 1];
-      Vector before = point(end - 1, from);
-      for (std::size_t i = cells.firstCorner[f]; i < end; ++i)
-      {
-        const Vector now = point(i, from);
-        mean = plus(mean, now);
-        twice = plus(twice, cross(before, now));
-        before = now;
-      }
-      sum += dot(mean, twice) / static_cast<double>(end - cells.firstCorner[f]);
+      const auto corner = [&](std::size_t i) { return minus(faces.corner(f, i), from); };
+      sum += measureCone(faces.size(f), corner).volume;
     }
     return sum;
   };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Quality/QualityMeasures.h"
 
-#include "Acceptance/Skewness.h"
 #include "Base/Sorting.h"
 #include "Polyhedra/CellEdges.h"
+#include "Quality/CellMeasures.h"
+#include "Quality/FaceCorners.h"
+#include "Quality/FaceMeasures.h"
 
 #include <algorithm>
 
@@ -14,9 +16,6 @@ namespace
 {
 
 constexpr std::size_t ItemsAChunk = 512;
-
-// A cell whose area across one axis is below this part of that across another has no area there.
-constexpr double RoundingOfAreas = 1e-12;
 
 // The faces of each cell, beginning with those that it owns.
 class FacesOfCells
@@ -60,8 +59,7 @@ class Meter
 public:
   Meter(const double* points, const CellFaces& cells, const FaceList& list, Execution& execution,
     const QualityLimits& limits, std::uint32_t leftOut)
-    : points_(points)
-    , cells_(cells)
+    : faces_(cells, points)
     , list_(list)
     , of_(list, cells.cellCount(), execution)
     , execution_(execution)
@@ -87,8 +85,7 @@ public:
     execution_.forEach(faces, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f)
       {
-        quality_.faceGeometry[f] =
-          measureFace(sizeOf(f), [&](std::size_t corner) { return position(corners(f)[corner]); });
+        measureAlone(f);
       }
     });
     execution_.nextLoop(0.25);
@@ -122,18 +119,15 @@ private:
   bool isInner(std::size_t face) const { return face < list_.neighbour.size(); }
   std::size_t owner(std::size_t face) const { return list_.owner[face]; }
   std::size_t neighbour(std::size_t face) const { return list_.neighbour[face]; }
-  const std::uint32_t* corners(std::size_t face) const
+  std::size_t sizeOf(std::size_t face) const { return faces_.size(list_.face[face]); }
+  std::uint32_t point(std::size_t face, std::size_t i) const
   {
-    return cells_.corners.data() + cells_.firstCorner[list_.face[face]];
+    return faces_.id(list_.face[face], i);
   }
-  std::size_t sizeOf(std::size_t face) const
+  Vector corner(std::size_t face, std::size_t i) const { return faces_.at(point(face, i)); }
+  auto cornersOf(std::size_t face) const
   {
-    return cells_.firstCorner[list_.face[face] + 1] - cells_.firstCorner[list_.face[face]];
-  }
-  Vector position(std::size_t point) const
-  {
-    const double* p = points_ + 3 * point;
-    return { p[0], p[1], p[2] };
+    return [this, face](std::size_t i) { return corner(face, i); };
   }
 
   FaceGeometry outward(std::size_t cell, std::size_t face) const
@@ -159,9 +153,8 @@ private:
     double worst = MeasureSpecs[TetQuality].best;
     for (std::size_t i = 0; isWanted(TetQuality) && i < sizeOf(face); ++i)
     {
-      const Vector a = minus(position(corners(face)[i]), geometry.centre);
-      const Vector b =
-        minus(position(corners(face)[i + 1 < sizeOf(face) ? i + 1 : 0]), geometry.centre);
+      const Vector a = minus(corner(face, i), geometry.centre);
+      const Vector b = minus(corner(face, i + 1 < sizeOf(face) ? i + 1 : 0), geometry.centre);
       const Vector c = minus(quality_.cellGeometry[cell].centre, geometry.centre);
       worst = std::min(worst, sign * tetQuality(a, b, c));
     }
@@ -183,28 +176,27 @@ private:
     return sixfold / 6 / regular;
   }
 
-  double starOf(std::size_t face) const
+  void measureAlone(std::size_t face)
   {
-    return isWanted(StarTriangulation)
-      ? smallestOfStar(
-          sizeOf(face), [&](std::size_t i) { return position(corners(face)[i]); },
-          quality_.faceGeometry[face].area)
-      : MeasureSpecs[StarTriangulation].best;
+    if (!isWanted(StarTriangulation))
+    {
+      quality_.faceGeometry[face] = measureFace(sizeOf(face), cornersOf(face));
+      setFace(face, StarTriangulation, MeasureSpecs[StarTriangulation].best);
+      return;
+    }
+    const FaceMeasures<double> measures = measuresOfFace(sizeOf(face), cornersOf(face));
+    quality_.faceGeometry[face] = { measures.centre, measures.area };
+    setFace(face, StarTriangulation, measures.star);
   }
 
-  // Distance of the line along `d` from the owner's centre to the centre of the face, divided by the extent
-  // of the face in that direction (or by a part of d).
-  double skewness(std::size_t face, const Vector& d, double partOfWay) const
+  // Of the line along `d` from the owner's centre.
+  double skewnessOf(std::size_t face, const Vector& d, double partOfWay) const
   {
     const FaceGeometry& geometry = quality_.faceGeometry[face];
     const Vector way = minus(geometry.centre, quality_.cellGeometry[owner(face)].centre);
     const double along = dot(geometry.area, way) / (dot(geometry.area, d) + Tiny);
-    const Vector miss = minus(way, scaled(d, along));
-    const Vector direction = scaled(miss, 1 / (norm(miss) + Tiny));
-    const auto corner = [&](std::size_t i) { return position(corners(face)[i]); };
-    const double reach =
-      reachAlong(sizeOf(face), corner, geometry.centre, direction, partOfWay * norm(d) + Tiny);
-    return norm(miss) / std::max(reach, Tiny);
+    return skewness(sizeOf(face), cornersOf(face), geometry.centre, minus(way, scaled(d, along)),
+      partOfWay * norm(d));
   }
 
   void setFace(std::size_t face, Measure measure, double value)
@@ -216,7 +208,6 @@ private:
   void measureFaceBetween(std::size_t face)
   {
     const FaceGeometry& geometry = quality_.faceGeometry[face];
-    setFace(face, StarTriangulation, starOf(face));
     const double ownerAngle = angleIn(owner(face), face);
     const double ownerTet = tetQualityIn(owner(face), face);
     if (!isInner(face))
@@ -224,7 +215,7 @@ private:
       // The shortest line to the plane of the face; the other measures have their best values.
       const Vector normal = scaled(geometry.area, 1 / (norm(geometry.area) + Tiny));
       const Vector way = minus(geometry.centre, quality_.cellGeometry[owner(face)].centre);
-      setFace(face, Skewness, skewness(face, scaled(normal, dot(normal, way)), ShareOfHeight));
+      setFace(face, Skewness, skewnessOf(face, scaled(normal, dot(normal, way)), ShareOfHeight));
       setFace(face, BoundaryAngle, ownerAngle);
       setFace(face, TetQuality, ownerTet);
       for (const Measure m : { InnerAngle, NonOrthogonality, FaceWeight, VolumeRatio })
@@ -239,7 +230,7 @@ private:
     setFace(face, BoundaryAngle, MeasureSpecs[BoundaryAngle].best);
     setFace(face, InnerAngle, std::max(ownerAngle, angleIn(neighbour(face), face)));
     setFace(face, NonOrthogonality, angle(d, geometry.area));
-    setFace(face, Skewness, skewness(face, d, ShareOfDistance));
+    setFace(face, Skewness, skewnessOf(face, d, ShareOfDistance));
     const double toLow = std::abs(dot(geometry.area, minus(geometry.centre, low.centre)));
     const double toHigh = std::abs(dot(geometry.area, minus(geometry.centre, high.centre)));
     setFace(face, FaceWeight, std::min(toLow, toHigh) / (toLow + toHigh + Tiny));
@@ -306,46 +297,21 @@ private:
   // Measures that are sums over face vectors.
   void setSums(std::size_t cell)
   {
-    Vector sum{ 0, 0, 0 };
-    Vector sizes{ 0, 0, 0 };
-    double innerArea = 0;
-    double innerFaces = 0;
-    std::array<Vector, 3> tensor{};
+    AreaSums all;
+    DeterminantOfCell<double> inner;
     forEachFace(cell, [&](std::size_t face) {
       const Vector area = outward(cell, face).area;
-      sum = plus(sum, area);
-      sizes = plus(sizes, { std::abs(area[0]), std::abs(area[1]), std::abs(area[2]) });
+      all.add(area);
       if (isInner(face))
       {
-        innerArea += norm(area);
-        innerFaces += 1;
-        for (std::size_t row = 0; row < 3; ++row)
-        {
-          tensor[row] = plus(tensor[row], scaled(area, area[row]));
-        }
+        inner.add(area);
       }
     });
     const double volume = quality_.cellGeometry[cell].volume;
-    const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
-    double openness = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      if (sizes[axis] > RoundingOfAreas * *most)
-      {
-        openness = std::max(openness, std::abs(sum[axis]) / sizes[axis]);
-      }
-    }
-    const double sphericity =
-      (sizes[0] + sizes[1] + sizes[2]) / 6 / std::pow(std::max(volume, Tiny), 2.0 / 3);
-    const double mean = innerArea / innerFaces;
-    constexpr double DeterminantOfCube = 8;
     setCell(cell, Volume, volume);
-    setCell(cell, Openness, openness);
-    setCell(cell, AspectRatio, std::max(*most / (*least + Tiny), sphericity));
-    setCell(cell, Determinant,
-      innerArea < Tiny ? 0
-                       : std::abs(dot(cross(tensor[0], tensor[1]), tensor[2])) / std::pow(mean, 6) /
-          DeterminantOfCube);
+    setCell(cell, Openness, all.openness());
+    setCell(cell, AspectRatio, all.aspectRatio(volume));
+    setCell(cell, Determinant, inner.value());
   }
 
   void setEdges(std::size_t cell, CellEdges& edges)
@@ -361,14 +327,14 @@ private:
       const bool owned = owner(face) == cell;
       for (std::size_t i = 0; i < sizeOf(face); ++i)
       {
-        const std::uint32_t from = corners(face)[i];
-        const std::uint32_t to = corners(face)[i + 1 < sizeOf(face) ? i + 1 : 0];
+        const std::uint32_t from = point(face, i);
+        const std::uint32_t to = point(face, i + 1 < sizeOf(face) ? i + 1 : 0);
         const Vector normal = normalAt(face, from, to);
         owned ? edges.add(from, to, normal) : edges.add(to, from, scaled(normal, -1));
       }
     });
     const CellEdges::Result result =
-      edges.measure([&](std::size_t point) { return position(point); });
+      edges.measure([&](std::uint32_t point) { return faces_.at(point); });
     setCell(cell, OpenEdges, result.open);
     setCell(cell, Concavity, result.concavity);
   }
@@ -380,13 +346,12 @@ private:
     constexpr double Sliver = 1e-6; // of the face's area
     const FaceGeometry& geometry = quality_.faceGeometry[face];
     const Vector triangle =
-      cross(minus(position(from), geometry.centre), minus(position(to), geometry.centre));
+      cross(minus(faces_.at(from), geometry.centre), minus(faces_.at(to), geometry.centre));
     const double least = Sliver * dot(geometry.area, geometry.area);
     return dot(triangle, geometry.area) > least ? triangle : geometry.area;
   }
 
-  const double* points_;
-  const CellFaces& cells_;
+  const FaceCorners faces_;
   const FaceList& list_;
   FacesOfCells of_;
   Execution& execution_;

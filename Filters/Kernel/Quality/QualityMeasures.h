@@ -3,10 +3,10 @@
 // with its definitions and limits.
 #pragma once
 
-#include "Acceptance/Limits.h"
 #include "Base/RawVector.h"
 #include "Polyhedra/CellGeometry.h"
 #include "Quality/FaceList.h"
+#include "Quality/Limits.h"
 
 #include <array>
 #include <cstdint>

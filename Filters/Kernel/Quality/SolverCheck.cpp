@@ -14,13 +14,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t FewestFaces = 4;
 constexpr std::size_t ItemsAChunk = 4096;
-
-// OpenFOAM's, whatever the unit of length: of a pyramid's volume and of a face's area.
-constexpr double InvertedBelow = -1e-15;
-constexpr double NoAreaBelow = 1e-300;
-constexpr double TurnedOver = 1e-15; // cosine of the non-orthogonality
 
 class Counter
 {
@@ -79,7 +73,7 @@ private:
     {
       return;
     }
-    if (norm(quality_.faceGeometry[f].area) < NoAreaBelow)
+    if (norm(quality_.faceGeometry[f].area) < SolverLimits::Area)
     {
       add(FacesWithoutArea, owner);
     }
@@ -98,7 +92,8 @@ private:
     }
     if (f < inner && quality_.faces[NonOrthogonality][f] > Limits::NonOrthogonality)
     {
-      const bool isError = std::cos(radians(quality_.faces[NonOrthogonality][f])) <= TurnedOver;
+      const bool isError = std::cos(radians(quality_.faces[NonOrthogonality][f])) <=
+        SolverLimits::NonOrthogonalityCosine;
       add(isError ? NonOrthogonalFaces : SteepFaces, owner);
       if (isError)
       {
@@ -110,9 +105,8 @@ private:
   // The pyramid from a cell's centre, if the face's area points out of the cell times `sign`.
   bool isInverted(std::size_t f, std::uint32_t cell, double sign) const
   {
-    const FaceGeometry& face = quality_.faceGeometry[f];
-    const Vector height = minus(face.centre, quality_.cellGeometry[cell].centre);
-    return sign * dot(face.area, height) / 3 < InvertedBelow;
+    return sign * pyramidVolume(quality_.faceGeometry[f], quality_.cellGeometry[cell].centre) <
+      SolverLimits::PyramidVolume;
   }
 
   void lookAtCell(std::uint32_t c)
@@ -124,7 +118,7 @@ private:
     }
     const bool isLayer = !checked_.isLayer.empty() && checked_.isLayer[c] != 0;
     const std::array<std::pair<Finding, bool>, 4> found{ {
-      { CellsOfFewFaces, size < FewestFaces },
+      { CellsOfFewFaces, size < SolverLimits::Faces },
       { OpenCells, quality_.cells[Openness][c] > Limits::Openness },
       { CellsWithoutVolume, quality_.cells[Volume][c] < Tiny },
       { isLayer ? LongLayers : LongCells, quality_.cells[AspectRatio][c] > Limits::AspectRatio },

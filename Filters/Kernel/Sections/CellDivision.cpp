@@ -56,16 +56,8 @@ private:
       std::vector<FaceGeometry> measured;
       for (std::size_t cell = begin; cell < end; ++cell)
       {
-        const std::size_t first = cells_.firstFace[cell];
-        measured.clear();
-        for (std::size_t face = first; face < cells_.firstFace[cell + 1]; ++face)
-        {
-          measured.push_back(faces_.geometry(face));
-        }
         Vector& centre = result_.centres[cell];
-        centre = measureCell(measured.size(), [&](std::size_t i) -> const FaceGeometry& {
-          return measured[i];
-        }).centre;
+        centre = faces_.geometryOfCell(cell, measured).centre;
         if (!seesAll(cell, centre))
         {
           const bool isMoved = move(cell, centre);

@@ -3,8 +3,7 @@
 // of faces that are not flat (Polyhedra/CellGeometry.h).
 #pragma once
 
-#include "Polyhedra/CellGeometry.h"
-#include "Quality/FaceList.h"
+#include "Quality/FaceCorners.h"
 
 #include <array>
 #include <functional>
@@ -44,41 +43,6 @@ bool isFlat(std::size_t size, Corner&& corner)
 }
 
 constexpr std::uint32_t NoPoint = ~std::uint32_t(0);
-
-// The corners of faces and their places.
-class FaceCorners
-{
-public:
-  FaceCorners(const CellFaces& cells, const double* points)
-    : cells_(cells)
-    , points_(points)
-  {
-  }
-
-  std::size_t size(std::size_t face) const
-  {
-    return cells_.firstCorner[face + 1] - cells_.firstCorner[face];
-  }
-  std::uint32_t id(std::size_t face, std::size_t i) const
-  {
-    return cells_.corners[cells_.firstCorner[face] + i];
-  }
-  Vector corner(std::size_t face, std::size_t i) const { return at(id(face, i)); }
-  Vector at(std::uint32_t point) const
-  {
-    const double* p = points_ + 3 * std::size_t(point);
-    return { p[0], p[1], p[2] };
-  }
-
-  FaceGeometry geometry(std::size_t face) const
-  {
-    return measureFace(size(face), [&](std::size_t i) { return corner(face, i); });
-  }
-
-private:
-  const CellFaces& cells_;
-  const double* points_;
-};
 
 struct FaceFans
 {

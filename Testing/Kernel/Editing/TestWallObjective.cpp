@@ -1,7 +1,7 @@
 // What faces and cells cost: where they fail, against the mesh's quality as OpenFOAM measures it, and gradients against
 // differences.
-#include "Acceptance/WallObjective.h"
 #include "Editing/EditMeasures.h"
+#include "Editing/WallObjective.h"
 #include "Quality/QualityMeasures.h"
 #include "Support/EditMeshes.h"
 
@@ -77,10 +77,10 @@ public:
 // Whether any measure of a face that the objective calls failing is beyond these limits; `limits` may be stricter.
 bool failsBeyond(const AsOutput& output, const MeshEditor& mesh, std::uint32_t f, bool withMargin)
 {
-  const double boundary = withMargin ? std::acos(FailsBeyond::BoundaryCosine) * 180 / Pi : 90;
-  const double inner = withMargin ? std::acos(FailsBeyond::InnerCosine) * 180 / Pi : 75;
+  const double boundary = withMargin ? std::acos(EditLimits::BoundaryCosine) * 180 / Pi : 90;
+  const double inner = withMargin ? std::acos(EditLimits::InnerCosine) * 180 / Pi : 75;
   const double orthogonality =
-    withMargin ? std::atan(std::sqrt(FailsBeyond::Slope)) * 180 / Pi : Limits::NonOrthogonality;
+    withMargin ? std::atan(std::sqrt(EditLimits::Slope)) * 180 / Pi : Limits::NonOrthogonality;
   const std::vector<std::size_t>& places = output.places.at(f);
   return std::any_of(places.begin(), places.end(), [&](std::size_t i) {
     const auto value = [&](Measure measure) { return output.quality.faces[measure][i]; };
@@ -154,22 +154,20 @@ public:
 private:
   FaceMeasures<double> measuresOf(std::uint32_t f) const
   {
-    return measuresOfFace<double>(
+    return measuresOfFace(
       mesh_.face(f).corners.size, [&](std::size_t i) { return mesh_.corner(f, i); });
   }
 
-  CellMeasures<double> measuresOfOne(std::uint32_t c) const
+  CellGeometry measuresOfOne(std::uint32_t c) const
   {
     if (cells_.count(c) == 0)
     {
       return { mesh_.cell(c).centre, mesh_.cell(c).volume };
     }
-    return measuresOfCell<double>(mesh_.facesOf(c).size(), [&](auto&& visit) {
-      for (const std::uint32_t f : mesh_.facesOf(c))
-      {
-        const FaceMeasures<double> face = measuresOf(f);
-        visit(face.centre, scaled(face.area, mesh_.face(f).below == c ? 1 : -1));
-      }
+    return measureCell(mesh_.facesOf(c).size(), [&](std::size_t i) -> FaceGeometry {
+      const std::uint32_t f = mesh_.facesOf(c)[i];
+      const FaceMeasures<double> face = measuresOf(f);
+      return { face.centre, scaled(face.area, mesh_.face(f).below == c ? 1 : -1) };
     });
   }
 
@@ -350,7 +348,7 @@ TEST(WallObjective, WallsWithLayersCostByTheirEdges)
     const std::array<Vector, 4> corners{ { { 0, 0, 0 }, { 1, 0, 0 }, { 1 + lean, height, 0 },
       { lean, height, 0 } } };
     const auto corner = [&](std::size_t i) { return corners[i]; };
-    const FaceMeasures<double> measures = measuresOfFace<double>(4, corner);
+    const FaceMeasures<double> measures = measuresOfFace(4, corner);
     FaceCost<double> cost(measures, spec);
     const double before = cost.cost().value;
     cost.addLayers(1, 4, corner);

@@ -18,13 +18,7 @@ FacedCells meshed(const NamedShape& shape)
 double volumeOf(const FacedCells& mesh, std::size_t cell)
 {
   std::vector<FaceGeometry> faces;
-  for (std::size_t face = mesh.cells.firstFace[cell]; face < mesh.cells.firstFace[cell + 1]; ++face)
-  {
-    faces.push_back(FaceCorners(mesh.cells, mesh.points.data()).geometry(face));
-  }
-  return measureCell(faces.size(), [&](std::size_t i) -> const FaceGeometry& {
-    return faces[i];
-  }).volume;
+  return FaceCorners(mesh.cells, mesh.points.data()).geometryOfCell(cell, faces).volume;
 }
 
 double tetrahedron(const Vector& a, const Vector& b, const Vector& c, const Vector& top)

@@ -6,9 +6,10 @@
 // their sum saturates: no measure is worth any fidelity.
 #pragma once
 
-#include "Acceptance/Gradient.h"
-#include "Acceptance/Limits.h"
-#include "Acceptance/Skewness.h"
+#include "Editing/Gradient.h"
+#include "Quality/CellMeasures.h"
+#include "Quality/FaceMeasures.h"
+#include "Quality/Limits.h"
 
 namespace cartesian
 {
@@ -46,34 +47,6 @@ struct ObjectiveSpec
   double mostDrift = 0.05; // in boxes: how far walls may have moved in the mean, by all edits
 };
 
-// Both walls and cells closer to the limits than this have failed: solvers do not agree on the centre of a face.
-struct FailsBeyond
-{
-  static constexpr double BoundaryCosine = 0.05; // 87 degrees
-  static constexpr double InnerCosine = 0.265;   // 74.6
-  static constexpr double Slope = 7.5;           // 70
-  static constexpr double Warp = 0.6;
-};
-
-// From here on a face is taken for one that checkMesh refuses: nearer than its limit, for the same reason.
-constexpr double RefusedSkewness = 3.9;
-
-template <class Number>
-struct FaceMeasures
-{
-  VectorOf<Number> centre;
-  VectorOf<Number> area;
-  Number star; // the smallest triangle around the mean of the corners, by the mean one; at most 1
-  Number warp; // 1 - the area by the sum of the triangles'
-};
-
-template <class Number>
-struct CellMeasures
-{
-  VectorOf<Number> centre;
-  Number volume;
-};
-
 template <class Number>
 struct Cost
 {
@@ -84,141 +57,6 @@ struct Cost
   // Of a face, what checkMesh refuses:
   int inverted = 0; // as seen from each of its cells, and from the one to the other
   bool skew = false;
-};
-
-// The mean of a polygon's corners, corner(0) to corner(size - 1).
-template <class Number, class Corner>
-VectorOf<Number> meanOfCorners(std::size_t size, Corner&& corner)
-{
-  const VectorOf<Number> origin = corner(0);
-  VectorOf<Number> mean{};
-  for (std::size_t i = 1; i < size; ++i)
-  {
-    mean = plus(mean, minus(corner(i), origin));
-  }
-  return plus(origin, scaled(mean, 1.0 / double(size)));
-}
-
-template <class Number, class Corner>
-FaceMeasures<Number> measuresOfTriangle(Corner&& corner)
-{
-  const VectorOf<Number> origin = corner(0);
-  const VectorOf<Number> p = minus(corner(1), origin);
-  const VectorOf<Number> q = minus(corner(2), origin);
-  return { plus(origin, scaled(plus(p, q), 1.0 / 3)), scaled(cross(p, q), 0.5), Number(1),
-    Number(0) };
-}
-
-// Of a polygon with corner(0) to corner(size - 1).
-template <class Number, class Corner>
-FaceMeasures<Number> measuresOfFace(std::size_t size, Corner&& corner)
-{
-  if (size == 3)
-  {
-    return measuresOfTriangle<Number>(corner);
-  }
-  const VectorOf<Number> mean = meanOfCorners<Number>(size, corner);
-  const auto triangleAt = [&](std::size_t i) -> VectorOf<Number> {
-    return scaled(
-      cross(minus(corner(i == 0 ? size - 1 : i - 1), mean), minus(corner(i), mean)), 0.5);
-  };
-  constexpr std::size_t Kept = 16;
-  std::array<Vector, Kept> triangles; // the first of them
-  VectorOf<Number> area{};
-  VectorOf<Number> moment{};
-  Number sum(0);
-  VectorOf<Number> p = minus(corner(size - 1), mean);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    const VectorOf<Number> q = minus(corner(i), mean);
-    const VectorOf<Number> triangle = scaled(cross(p, q), 0.5);
-    const Number part = norm(triangle);
-    area = plus(area, triangle);
-    moment = plus(moment, scaled(plus(p, q), part * (1.0 / 3)));
-    sum += part;
-    triangles[std::min(i, Kept - 1)] = valuesOf(triangle);
-    p = q;
-  }
-  if (!(valueOf(sum) > Tiny))
-  {
-    return { mean, area, Number(-1), Number(1) };
-  }
-  const auto productAt = [&](std::size_t i) {
-    return dot(i + 1 < Kept ? triangles[i] : valuesOf(triangleAt(i)), valuesOf(area));
-  };
-  std::size_t smallest = 0;
-  double leastProduct = productAt(0);
-  for (std::size_t i = 1; i < size; ++i)
-  {
-    const double product = productAt(i);
-    smallest = product < leastProduct ? i : smallest;
-    leastProduct = std::min(product, leastProduct);
-  }
-  const Number square = dot(area, area);
-  const Number least = dot(triangleAt(smallest), area);
-  FaceMeasures<Number> measures{ plus(mean, scaled(moment, Number(1) / sum)), area, Number(-1),
-    Number(1) };
-  if (valueOf(square) > Tiny)
-  {
-    using std::sqrt;
-    const Number star = least * double(size) / square;
-    measures.star = star > Number(1) ? Number(1) : star;
-    measures.warp = Number(1) - sqrt(square) / sum;
-  }
-  return measures;
-}
-
-// A cell of faces with outward areas: visit(each) calls each(centre, area) for all of them, twice.
-template <class Number, class ForEachFace>
-CellMeasures<Number> measuresOfCell(std::size_t size, ForEachFace&& forEachFace)
-{
-  VectorOf<Number> mean{};
-  forEachFace(
-    [&](const VectorOf<Number>& centre, const VectorOf<Number>&) { mean = plus(mean, centre); });
-  mean = scaled(mean, 1.0 / double(size));
-  VectorOf<Number> moment{};
-  Number volume(0);
-  forEachFace([&](const VectorOf<Number>& centre, const VectorOf<Number>& area) {
-    const VectorOf<Number> height = minus(centre, mean);
-    const Number product = dot(area, height);
-    volume += product * (1.0 / 3);
-    moment = plus(moment, scaled(height, product * 0.25));
-  });
-  return { std::abs(valueOf(volume)) < Tiny ? mean : plus(mean, scaled(moment, Number(1) / volume)),
-    volume };
-}
-
-// The sum of squares of a cell's inner faces, of which checkMesh takes the determinant.
-template <class Number>
-class DeterminantOfCell
-{
-public:
-  void add(const VectorOf<Number>& area)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      sum_[axis] = plus(sum_[axis], scaled(area, area[axis]));
-    }
-    size_ += norm(area);
-    ++count_;
-  }
-
-  // 1 for a cube, 0 where no inner face has a third direction.
-  Number value() const
-  {
-    if (count_ == 0 || !(valueOf(size_) > Tiny))
-    {
-      return Number(0);
-    }
-    const Number mean = size_ * (1.0 / count_);
-    const Number square = mean * mean;
-    return dot(sum_[0], cross(sum_[1], sum_[2])) / (square * square * square * 8.0);
-  }
-
-private:
-  std::array<VectorOf<Number>, 3> sum_{};
-  Number size_ = Number(0);
-  int count_ = 0;
 };
 
 template <class Number>
@@ -293,14 +131,14 @@ public:
     , spec_(spec)
     , area_(notBelow(norm(face.area), Tiny))
     , normal_(scaled(face.area, Number(1) / area_))
-    , fails_(face.star < Number(0) || face.warp > Number(FailsBeyond::Warp))
+    , fails_(face.star < Number(0) || face.warp > Number(EditLimits::Warp))
   {
     addShape();
   }
 
   // Between two cells. `corner`, `size`: as of measuresOfFace.
   template <class Corner>
-  void addInner(const CellMeasures<Number>& below, const CellMeasures<Number>& above,
+  void addInner(const CellGeometryOf<Number>& below, const CellGeometryOf<Number>& above,
     std::size_t size, Corner&& corner)
   {
     const VectorOf<Number> toAbove = minus(above.centre, below.centre);
@@ -330,16 +168,16 @@ public:
     cost_ += squareOf(squareOf(Number(Wanted::InnerCosine)) * steepest);
     const VectorOf<Number> aside = minus(toFace, scaled(toAbove, nearer / across));
     addSkewness(aside, distance * ShareOfDistance, size, corner);
-    fails_ = fails_ || valueOf(slope) > FailsBeyond::Slope ||
-      isSteep(valueOf(near), valueOf(nearSquare), FailsBeyond::InnerCosine) ||
-      isSteep(valueOf(far), valueOf(farSquare), FailsBeyond::InnerCosine);
+    fails_ = fails_ || valueOf(slope) > EditLimits::Slope ||
+      isSteep(valueOf(near), valueOf(nearSquare), EditLimits::InnerCosine) ||
+      isSteep(valueOf(far), valueOf(farSquare), EditLimits::InnerCosine);
     isInverted_ = valueOf(near) < 0 || valueOf(far) < 0;
     inverted_ = int(!(valueOf(near) > 0)) + int(!(valueOf(far) > 0)) + int(!(valueOf(whole) > 0));
   }
 
   // Of a wall. `edge`: the length of a box's edge there; `original`: the area of what the surface has there, or zero.
   template <class Corner>
-  void addWall(const CellMeasures<Number>& below, double edge, const Vector& original,
+  void addWall(const CellGeometryOf<Number>& below, double edge, const Vector& original,
     std::size_t size, Corner&& corner)
   {
     const VectorOf<Number> toFace = minus(face_.centre, below.centre);
@@ -352,7 +190,7 @@ public:
     cost_ += squareOf(square / squareOf(tall) * (1 / Wanted::BoundarySlope));
     addSkewness(aside, tall * ShareOfHeight, size, corner);
     fails_ =
-      fails_ || isSteep(valueOf(height), valueOf(dot(toFace, toFace)), FailsBeyond::BoundaryCosine);
+      fails_ || isSteep(valueOf(height), valueOf(dot(toFace, toFace)), EditLimits::BoundaryCosine);
     isInverted_ = valueOf(height) < 0;
     inverted_ = int(!(valueOf(height) > 0));
     if (const double length = norm(original); length > NegligibleArea * edge * edge)
@@ -444,7 +282,7 @@ private:
     return height < 0 || height * height < cosine * cosine * square;
   }
 
-  // `least`: the reach that counts at least (Skewness.h).
+  // `least`: the reach that counts at least.
   template <class Corner>
   void addSkewness(
     const VectorOf<Number>& aside, const Number& least, std::size_t size, Corner&& corner)
@@ -454,17 +292,10 @@ private:
     {
       return;
     }
-    using std::abs;
-    using std::sqrt;
-    Number reach = least * sqrt(square);
-    for (std::size_t i = 0; i < size; ++i)
-    {
-      reach = larger(reach, abs(dot(minus(VectorOf<Number>(corner(i)), face_.centre), aside)));
-    }
-    const Number skewness = square / reach;
+    const Number skewness = cartesian::skewness(size, corner, face_.centre, aside, least);
     cost_ += squareOf(squareOf(skewness * (1 / Wanted::Skewness)));
     fails_ = fails_ || !(valueOf(skewness) < Limits::Skewness);
-    isSkew_ = isSkew_ || !(valueOf(skewness) < RefusedSkewness);
+    isSkew_ = isSkew_ || !(valueOf(skewness) < EditLimits::RefusedSkewness);
   }
 
   const FaceMeasures<Number>& face_;

@@ -3,9 +3,7 @@
 // gives its value with doubles, and with these its gradient too (forward differentiation).
 #pragma once
 
-#include "Lattice/Vector.h"
-
-#include <algorithm>
+#include "Polyhedra/CellGeometry.h"
 
 namespace cartesian
 {
@@ -35,10 +33,6 @@ struct WithGradient
   }
 };
 
-inline double valueOf(double x)
-{
-  return x;
-}
 inline double valueOf(const WithGradient& x)
 {
   return x.value;
@@ -91,16 +85,8 @@ inline WithGradient abs(const WithGradient& x)
   return x.value < 0 ? -x : x;
 }
 
-// Vectors of either kind of number; those of doubles have the functions of Vector.h.
-template <class Number>
-using VectorOf = std::array<Number, 3>;
-
 using GradientVector = VectorOf<WithGradient>;
 
-inline const Vector& valuesOf(const Vector& v)
-{
-  return v;
-}
 inline Vector valuesOf(const GradientVector& v)
 {
   return { v[0].value, v[1].value, v[2].value };
