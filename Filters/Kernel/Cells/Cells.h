@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Assembly of cells (section 6, part B; 4.10).
+//
+// Method: faces of a box that share an edge belong together; each closed group of them is a cell, with the groups that it encloses as its
+// cavities. Source: the paper, which does not say how a box is separated into volumes.
+// Limits: cells here are raw: tiny, thin and concave ones stay (unless small ones are removed, before anything else), and the room
+// Editing improves them. Nothing is moved, and no face is divided.
 #pragma once
 
 #include "Cells/SmallCellSpec.h"

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Improves the faces and cells that cost most, one by one: of the proposals for each, that which gains most, or enough,
 // is made; then what it changed is looked at again.
+//
+// Method: a queue by cost, ties by number, so that the order is that of the mesh alone. Ends as each edit makes the sum of costs fall
+// by a least part of an item. Limits: proposals come from the surroundings of one face or cell (Proposals.h), never from two at once: an
+// edit that pays only together with another is found only where that follows by itself (ProposalTrials.h).
 #pragma once
 
 #include "Cells/RemovedCell.h"

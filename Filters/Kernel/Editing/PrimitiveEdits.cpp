@@ -4,6 +4,9 @@
 #include "Base/Rings.h"
 #include "Editing/FixedList.h"
 
+#include <cassert>
+#include <cmath>
+
 namespace cartesian
 {
 
@@ -109,6 +112,16 @@ bool dropFlat(MeshEditor& mesh, std::uint32_t c)
   touch(mesh, x);
   mesh.removeCell(c);
   return true;
+}
+
+[[maybe_unused]] bool isThere(const MeshView& mesh, std::uint32_t f)
+{
+  return f < mesh.faceCount() && !mesh.face(f).gone;
+}
+
+[[maybe_unused]] bool isOf(const MeshView& mesh, std::uint32_t f, std::uint32_t c)
+{
+  return mesh.face(f).below == c || mesh.face(f).above == c;
 }
 
 // Takes u out of the corners of its faces, for v. Faces of two corners are left as `flat`.
@@ -245,6 +258,8 @@ Vector onLattice(const MeshView& mesh, const Vector& place, std::uint8_t held)
 
 bool collapseEdge(MeshEditor& mesh, std::uint32_t u, std::uint32_t v, const Vector& at)
 {
+  assert(u < mesh.nodeCount() && v < mesh.nodeCount());
+  assert(std::isfinite(at[0] + at[1] + at[2]));
   Few faces;
   Few flat;
   if (u == v || mesh.node(u).gone || mesh.node(v).gone || !copy(mesh.facesAround(u), faces) ||
@@ -288,6 +303,7 @@ bool collapseEdge(MeshEditor& mesh, std::uint32_t u, std::uint32_t v, const Vect
 
 bool joinFaces(MeshEditor& mesh, std::uint32_t f, std::uint32_t g)
 {
+  assert(f < mesh.faceCount() && g < mesh.faceCount());
   const EditFace x = mesh.face(f);
   const EditFace y = mesh.face(g);
   const bool isSame = x.below == y.below && x.above == y.above;
@@ -331,6 +347,8 @@ bool joinFaces(MeshEditor& mesh, std::uint32_t f, std::uint32_t g)
 
 bool passFace(MeshEditor& mesh, std::uint32_t c, std::uint32_t f, std::uint32_t g)
 {
+  assert(isThere(mesh, f) && isThere(mesh, g));
+  assert(isOf(mesh, f, c) && isOf(mesh, g, c));
   const EditFace over = mesh.face(f);
   const EditFace passed = mesh.face(g);
   const std::uint32_t to = mesh.beyond(f, c);
@@ -371,6 +389,8 @@ bool passFace(MeshEditor& mesh, std::uint32_t c, std::uint32_t f, std::uint32_t 
 
 std::uint32_t splitFace(MeshEditor& mesh, std::uint32_t f, std::size_t i, std::size_t j)
 {
+  assert(isThere(mesh, f));
+  assert(i < mesh.cornersOf(f).size() && j < mesh.cornersOf(f).size());
   Few ring;
   if (touchesFrozen(mesh, f) || !copy(mesh.cornersOf(f), ring))
   {
@@ -411,6 +431,7 @@ std::uint32_t splitFace(MeshEditor& mesh, std::uint32_t f, std::size_t i, std::s
 
 bool mergeCells(MeshEditor& mesh, std::uint32_t a, std::uint32_t b)
 {
+  assert(a < mesh.cellCount() && b < mesh.cellCount());
   Few ofB;
   Few kept;
   if (a == b || !mesh.isFree(a) || !mesh.isFree(b) || mesh.cell(a).region != mesh.cell(b).region ||
@@ -457,6 +478,8 @@ bool mergeCells(MeshEditor& mesh, std::uint32_t a, std::uint32_t b)
 
 void makeWall(MeshEditor& mesh, std::uint32_t f, std::uint32_t without, std::int32_t wall)
 {
+  assert(isThere(mesh, f) && isOf(mesh, f, without));
+  assert(mesh.beyond(f, without) != None);
   EditFace& face = mesh.changeFace(f);
   if (face.below == without)
   {
@@ -483,6 +506,7 @@ void makeWall(MeshEditor& mesh, std::uint32_t f, std::uint32_t without, std::int
 
 bool removeCell(MeshEditor& mesh, std::uint32_t c)
 {
+  assert(c < mesh.cellCount());
   Few faces;
   if (!mesh.isFree(c) || !copy(mesh.facesOf(c), faces))
   {

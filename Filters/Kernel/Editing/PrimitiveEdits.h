@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The edits of which all others are made. Each changes what it must and marks the rest as dirty (EditDecision.h):
 // it returns false where the mesh has no place for it, and then has to be undone, as where the result is not valid.
-// None looks at quality. They stay within free cells (EditMesh.h).
+// None looks at quality. They stay within free cells (EditMesh.h). Asserted where assert is: numbers are of what the mesh has, faces
+// are there and of the cells named with them, corners are the face's.
 #pragma once
 
 #include "Editing/MeshEditor.h"

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wall, from raw cells to ones that solvers take: simplified, short edges snapped, then the loop, first in general, then
 // for what still fails, and last the volume made true.
+//
+// Method: greedy local search. An edit of a few kinds (PrimitiveEdits.h) is made if EditDecision.h allows it and the objective
+// (WallObjective.h) falls; if not, the journal takes it back bit for bit. Zones are edited at the same time (EditZones.h).
+// Sources: sections 3, 4.10 and 4.11 for what is wrong with cells; edge collapse as Hoppe 1996 has it; the order by cost and the
+// charges for walls and edges are ours.
+// Limits: a local minimum, not the best mesh; faces that no edit helps stay and are told; walls move by no more than a hundredth of
+// a box for a face that is just within the preferred limits. All wall cells near to each other are edited by one thread.
 #pragma once
 
 #include "Cells/SmallCellSpec.h"

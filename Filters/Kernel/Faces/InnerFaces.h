@@ -4,6 +4,10 @@
 // The region of a side that is inside is bounded by the edges of patches that lie on the side, and by
 // the inside pieces of its border. Its loops become faces: holes are joined to the loop around them, and
 // faces without a star triangulation are split. Each side is computed once for both its boxes.
+//
+// Method: chords and pieces of the border are walked; of those that leave a node, the next to the left is taken, by exact predicates
+// (Lattice/Plane.h). Source: section 4.9, step 9; holes and star polygons are ours.
+// Limits: a side where chords do not close has no faces and is called flawed, and its boxes are rebuilt (BoxRebuilding.h).
 #pragma once
 
 #include "Boxes/Sides.h"

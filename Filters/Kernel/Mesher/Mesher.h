@@ -8,6 +8,12 @@
 //                               Cells, OutputMesh      11-13
 //
 // mesh() is all of it, meshPart() all that follows decompose() for one part of the grid.
+//
+// Method: boxes of a grid are halved where the surface asks for it, cut by it, and what is left of them is edited at the wall until
+// solvers accept it. Source: L. Placek's paper (the room's README says which section is where); what it does not have is marked
+// there as beyond it. The mesh does not depend on threads or parts.
+// Limits: a surface with an inside; 32 bits for numbers of boxes, cells and points of a part; coordinates are rounded to a lattice
+// of 2^32 levels along the longest side. Detail below a box is simplified, unless Exact Fit is chosen.
 #pragma once
 
 #include "Mesher/Assembly.h"

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Generation of Patches (section 4.7): the boundary faces inside each intersected box, by Marching
 // Cubes or Exact Fit, tied (4.8) and simplified (A2).
+//
+// Method: Marching Cubes without a table (Lattice/MarchingCubes.h) where a box has a plain piece of a smooth wall, the surface's own
+// triangles, clipped (Lattice/ExactFit.h), where it has edges, corners or borders: PatchChoice.h decides, box by box.
+// Sources: Lorensen and Cline 1987 for Marching Cubes; Sutherland and Hodgman 1974 for clipping; the rest is the paper's.
+// Limits: Marching Cubes sees only crossings with edges of boxes, so that what lies between them is lost (Patches::missing says how
+// much); patches do not close where the surface is flawed within a box: BoxRebuilding.h makes these anew.
 #pragma once
 
 #include "Boxes/Shoeboxes.h"

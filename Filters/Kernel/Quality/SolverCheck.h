@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What OpenFOAM's checkMesh (1912), without options, finds in the mesh of each region: counted as it does, on the faces
 // that it sees, where those between two regions, and those of baffles, are boundary faces of both their cells.
+//
+// Method and limits of failure are those of OpenFOAM's primitiveMeshCheck, written anew (centres by triangles around the mean of the
+// corners, as it has them). TestQualityAgainstFoam and TestTold compare the two, cell by cell.
+// Limits: what checkMesh only finds with -allGeometry or -allTopology, such as concave cells, warped faces or small determinants, is
+// in QualityMeasures.h; other solvers have other limits.
 #pragma once
 
 #include "Quality/QualityMeasures.h"

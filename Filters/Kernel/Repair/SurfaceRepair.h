@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Repairs a surface before it is meshed (steps 4 and 6): drops duplicate and loose triangles, gives sheets two sides,
 // orients the rest, closes holes, and unites bodies that cross or touch.
+//
+// Method: combinatorial where triangles share vertices (Orientation.h, Holes.h); where bodies cross, exact predicates and iterated snap
+// rounding on the lattice (Arrangement.h). Sources: Barequet and Sharir 1995 for holes by least area; Nooruddin and Turk 2003 for
+// the votes of lines; CGAL's autorefinement of triangle soups for the rounds.
+// Limits: holes at least as wide as a box are closed, and reported as leaks; how bodies were meant is not guessed, they become one;
+// bodies whose cuts do not settle stay crossing and are named (refused). Nothing is repaired without a word.
 #pragma once
 
 #include "Repair/Duplicates.h"
