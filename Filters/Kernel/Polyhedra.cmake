@@ -6,7 +6,22 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
+# OpenFOAM's case texts (OpenFoam/Templates/README.md) become a source of the library.
+set(templates "${CMAKE_CURRENT_SOURCE_DIR}/OpenFoam/Templates")
+file(GLOB_RECURSE names CONFIGURE_DEPENDS RELATIVE "${templates}" "${templates}/*")
+list(REMOVE_ITEM names README.md)
+set(texts "#include \"OpenFoam/CaseTemplates.h\"\n\nconst cartesian::TemplateTexts& cartesian::builtInTemplates()\n{\n  static const TemplateTexts all = {\n")
+foreach (name IN LISTS names)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${templates}/${name}")
+  file(READ "${templates}/${name}" text)
+  string(APPEND texts "{ \"${name}\", R\"template(${text})template\" },\n")
+endforeach ()
+file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/BuiltInTemplates.new" "${texts}  };\n  return all;\n}\n")
+file(COPY_FILE "${CMAKE_CURRENT_BINARY_DIR}/BuiltInTemplates.new" "${CMAKE_CURRENT_BINARY_DIR}/BuiltInTemplates.cpp"
+  ONLY_IF_DIFFERENT)
+
 add_library(CartesianPolyhedra STATIC
+  "${CMAKE_CURRENT_BINARY_DIR}/BuiltInTemplates.cpp"
   Base/Execution.cpp
   Base/HelperThreads.cpp
   Base/OutputFile.cpp
@@ -35,6 +50,7 @@ add_library(CartesianPolyhedra STATIC
   Report/HistogramDrawing.cpp
   Report/ReportPage.cpp
   OpenFoam/CaseFiles.cpp
+  OpenFoam/CaseTemplates.cpp
   OpenFoam/FlowCase.cpp
   OpenFoam/FoamBoundary.cpp
   OpenFoam/FoamFile.cpp
@@ -49,8 +65,6 @@ add_library(CartesianPolyhedra STATIC
   OpenFoam/LeastSystem.cpp
   OpenFoam/PolyMeshFiles.cpp
   OpenFoam/PolyMeshReader.cpp
-  OpenFoam/RunFiles.cpp
-  OpenFoam/Schemes.cpp
   OpenFoam/SolverSetup.cpp
   OpenFoam/SymmetryPlanes.cpp
   Formats/AsciiNames.cpp
