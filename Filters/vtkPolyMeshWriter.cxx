@@ -5,6 +5,7 @@
 #include "BoundaryOfFaces.h"
 #include "FoamFromVTK.h"
 #include "FoamPieceStore.h"
+#include "OpenFoam/CaseTemplates.h"
 #include "OpenFoam/FoamBoundary.h"
 #include "OpenFoam/FoamPieceRegions.h"
 #include "OpenFoam/FrontalArea.h"
@@ -419,6 +420,7 @@ cartesian::SolverSetup vtkPolyMeshWriter::MakeSetup()
     setup.heatIterations = this->Iterations;
   }
   setup.overwrites = this->OverwriteSetup;
+  setup.templates = std::filesystem::u8path(this->CaseTemplates);
   return setup;
 }
 
@@ -456,7 +458,9 @@ void vtkPolyMeshWriter::CheckNumbers()
   cartesian::requireInRange(cartesian::moreThan(0), this->Scale, "Scale");
   if (this->SolverSetup != None)
   {
-    cartesian::requireInRange(this->MakeSetup());
+    const cartesian::SolverSetup setup = this->MakeSetup();
+    cartesian::requireInRange(setup);
+    const cartesian::CaseTemplates known(setup.templates); // or it throws
   }
 }
 
@@ -526,4 +530,5 @@ void vtkPolyMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InletTemperature: " << this->InletTemperature << "\n";
   os << indent << "Iterations: " << this->Iterations << "\n";
   os << indent << "OverwriteSetup: " << this->OverwriteSetup << "\n";
+  os << indent << "CaseTemplates: " << this->CaseTemplates << "\n";
 }

@@ -175,6 +175,16 @@ public:
   vtkBooleanMacro(OverwriteSetup, bool);
   ///@}
 
+  ///@{
+  /**
+   * A folder with templates of that set-up (Kernel/OpenFoam/Templates/README.md), which replace the library's own of the
+   * same names; empty, the default: none. Error BadParameter, with nothing written, if it cannot be read, or if a file
+   * or a placeholder in it does not exist.
+   */
+  vtkSetMacro(CaseTemplates, std::string);
+  vtkGetMacro(CaseTemplates, std::string);
+  ///@}
+
   /**
    * Writes piece `number` of `Pieces`, in order from 0; the case is complete after the last. For callers that make
    * the pieces themselves, on one process.
@@ -203,6 +213,7 @@ protected:
   double InletTemperature = 350;
   int Iterations = 0;
   bool OverwriteSetup = false;
+  std::string CaseTemplates;
 
 private:
   vtkPolyMeshWriter(const vtkPolyMeshWriter&) = delete;

@@ -357,6 +357,8 @@ def read_task(path):
     of_case = case_parameters()
     table = reader.table(content.get("case", {}), ("case",), {parameter.key for parameter in of_case})
     case = reader.values(table, ("case",), of_case)
+    if case.get("CaseTemplates"):  # as all files of a task, relative to it
+        case["CaseTemplates"] = str(reader.path.absolute().parent / case["CaseTemplates"])
     for of in rows:
         properties |= reader.collection(content.get(of.key, []), of)
     surfaces = []

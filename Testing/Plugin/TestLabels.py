@@ -104,7 +104,7 @@ writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
 case = {"FileType": "Binary", "RegionsAs": "Meshes", "ZoneRegions": [], "ZoneBorders": "Face Zones", "Pieces": 1, "Scale": 1,
         "SolverSetup": "None", "Turbulence": "kOmegaSST", "Speed": 0, "Viscosity": 0, "InletTemperature": 350,
-        "Iterations": 0, "OverwriteSetup": 0}
+        "Iterations": 0, "OverwriteSetup": 0, "CaseTemplates": ""}
 assert sorted(writer.ListProperties()) == sorted(["FileName", "Input", "NamesOfRegions", *case])
 assert {name: writer.GetPropertyValue(name) for name in case} == case
 for suffix, label in (("cgns", "CGNS Mesh"), ("msh", "Fluent Mesh"), ("case", "EnSight Mesh"), ("vtm", "Region Blocks"),

@@ -60,6 +60,18 @@ with Messages() as said:
     foam.save(duct, case, SolverSetup="Incompressible", Speed=3, OverwriteSetup=1)
 assert "already exist" not in str(said) and "refValue uniform -3;" in velocity.read_text(), str(said)
 
+# A user's own template, and one that has nothing to fill in: refused before the mesh is written.
+(root / "mine/flow").mkdir(parents=True)
+own = root / "mine/flow/transportProperties"
+own.write_text("transportModel Newtonian;\nnu [0 2 -1 0 0 0 0] @viscosity@; // mine\n")
+case = foam.save(duct, root / "own", SolverSetup="Incompressible", Viscosity=0.5, CaseTemplates=str(root / "mine"))
+assert (case / "constant/transportProperties").read_text().endswith("}\n\ntransportModel Newtonian;\nnu [0 2 -1 0 0 0 0] 0.5; // mine\n")
+own.write_text("nu @Viscosity@;\n")
+with Messages() as said:
+    simple.SaveData(str(root / "wrong/case.foam"), duct, SolverSetup="Incompressible", CaseTemplates=str(root / "mine"))
+assert f"{own} has the placeholder @Viscosity@" in str(said) and not (root / "wrong/constant").exists(), str(said)
+own.write_text("transportModel Newtonian;\nnu [0 2 -1 0 0 0 0] @viscosity@; // mine\n")
+
 # In two pieces, laminar.
 case = foam.save(duct, root / "pieces", SolverSetup="Incompressible", Turbulence="Laminar", Viscosity=0.01,
                  Speed=1, Iterations=30, Pieces=2)
@@ -83,11 +95,13 @@ lengths_beside = 1.5
 [case]
 solver_setup = "Incompressible"
 iterations = 60
+case_templates = "mine"
 [output]
 mesh = "cube/case.foam"
 """)
 subprocess.run([PROGRAM, str(root / "task.toml")], check=True, capture_output=True)
 case = root / "cube"
+assert "// mine" in (case / "constant/transportProperties").read_text()
 control = (case / "system/controlDict").read_text()
 area, length = (float(re.search(name + r" (\S+);", control)[1]) for name in ("Aref", "lRef"))
 assert abs(area - 1) < 0.01 and abs(length - 1) < 1e-6, (area, length)

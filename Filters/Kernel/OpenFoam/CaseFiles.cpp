@@ -10,8 +10,9 @@ namespace cartesian
 
 namespace fs = std::filesystem;
 
-CaseFiles::CaseFiles(fs::path folder, bool overwrites, int pieces)
+CaseFiles::CaseFiles(fs::path folder, const CaseTemplates& templates, bool overwrites, int pieces)
   : folder_(std::move(folder))
+  , templates_(templates)
   , overwrites_(overwrites)
   , pieces_(pieces)
 {
@@ -71,13 +72,15 @@ void CaseFiles::field(const MeshOfCase& mesh, const FieldOfCase& field,
   }
 }
 
-void CaseFiles::script(const std::string& name, const std::string& text)
+void CaseFiles::script(const std::string& commands)
 {
-  const fs::path path = folder_ / name;
+  const fs::path path = folder_ / "Allrun";
   if (mayWrite(path))
   {
     OutputFile file(path);
-    file.text(text);
+    const std::string parallel = "mpirun -n " + std::to_string(pieces_) + " \"$@\" -parallel";
+    file.text(
+      text("Allrun", { { "start", places("\"$@\"", parallel) }, { "commands", commands } }));
     file.close();
     fs::permissions(path, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
       fs::perm_options::add);

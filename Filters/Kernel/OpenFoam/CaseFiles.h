@@ -2,6 +2,7 @@
 // The files of a case that are text: fields of uniform start values, dictionaries, a script.
 #pragma once
 
+#include "OpenFoam/CaseTemplates.h"
 #include "OpenFoam/SolverSetup.h"
 
 #include <functional>
@@ -21,7 +22,20 @@ struct FieldOfCase
 class CaseFiles
 {
 public:
-  CaseFiles(std::filesystem::path folder, bool overwrites, int pieces);
+  CaseFiles(
+    std::filesystem::path folder, const CaseTemplates& templates, bool overwrites, int pieces);
+
+  // Of a template (CaseTemplates.h).
+  std::string text(const std::string& name, const CaseTemplates::Values& values = {}) const
+  {
+    return templates_.filled(name, values);
+  }
+
+  // Where results are, as the shell names it: `whole` of a case in one piece.
+  std::string places(const std::string& whole, const std::string& ofPieces) const
+  {
+    return pieces_ > 1 ? ofPieces : whole;
+  }
 
   // `path`: within the case, such as system/fvSchemes.
   void dictionary(const std::filesystem::path& path, const std::string& text,
@@ -32,12 +46,14 @@ public:
   void field(const MeshOfCase& mesh, const FieldOfCase& field,
     const std::function<std::string(const FoamPatch&)>& condition);
 
-  void script(const std::string& name, const std::string& text);
+  // Allrun, of these commands, with -parallel if there are several pieces: "run PROGRAM" with its own log, "more PROGRAM"
+  // another time with the same.
+  void script(const std::string& commands);
 
   // Of a case in a folder of this one.
   CaseFiles within(const std::filesystem::path& path) const
   {
-    return { folder_ / path, overwrites_, pieces_ };
+    return { folder_ / path, templates_, overwrites_, pieces_ };
   }
 
   void keep(const std::vector<std::filesystem::path>& kept)
@@ -54,6 +70,7 @@ private:
     const std::filesystem::path& location, const std::string& text);
 
   std::filesystem::path folder_;
+  const CaseTemplates& templates_;
   bool overwrites_;
   int pieces_;
   std::vector<std::filesystem::path> kept_;

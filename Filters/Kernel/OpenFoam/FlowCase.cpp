@@ -2,8 +2,6 @@
 #include "OpenFoam/FlowCase.h"
 
 #include "Base/Error.h"
-#include "OpenFoam/RunFiles.h"
-#include "OpenFoam/Schemes.h"
 
 #include <cmath>
 
@@ -13,68 +11,14 @@ namespace cartesian
 namespace
 {
 
-// Second order, with what keeps it bounded in cells cut by walls.
-constexpr const char* Gradients = R"(    grad(U)         cellLimited Gauss linear 1;
-    grad(k)         $grad(U);
-    grad(omega)     $grad(U);
-)";
-constexpr const char* Divergences = R"(    div(phi,U)      bounded Gauss linearUpwindV grad(U);
-    div(phi,k)      bounded Gauss limitedLinear 1;
-    div(phi,omega)  bounded Gauss limitedLinear 1;
-    div((nuEff*dev2(T(grad(U))))) Gauss linear;
-    div(div(phi,U)) Gauss linear;
-)";
-constexpr double Correction = 0.5; // Schemes::correction
-
-// GaussSeidel alone takes hundreds of cycles in prisms a thousand times as wide as high, until the flow diverges.
-constexpr const char* Solution = R"foam(solvers
-{
-    p
-    {
-        solver          GAMG;
-        smoother        DICGaussSeidel;
-        tolerance       1e-8;
-        relTol          0.02;
-    }
-    Phi { $p; }
-    "(U|k|omega)"
-    {
-        solver          smoothSolver;
-        smoother        symGaussSeidel;
-        tolerance       1e-9;
-        relTol          0.1;
-    }
-}
-SIMPLE
-{
-    nNonOrthogonalCorrectors 0;
-    consistent      yes;
-}
-potentialFlow { nNonOrthogonalCorrectors 5; }
-relaxationFactors
-{
-    equations
-    {
-        U               0.8;
-        k               0.6;
-        omega           0.6;
-    }
-}
-)foam";
-
-std::string entryOf(const char* name, const std::string& value)
-{
-  return "        " + std::string(name) + " " + value + ";\n";
-}
-
 std::string listOf(const std::vector<std::string>& names)
 {
-  std::string text = "(";
+  std::string text;
   for (const std::string& name : names)
   {
-    text += (text.size() > 1 ? " " : "") + name;
+    text += (text.empty() ? "" : " ") + name;
   }
-  return text + ")";
+  return text;
 }
 
 std::string unitAlong(int axis)
@@ -82,56 +26,37 @@ std::string unitAlong(int axis)
   return velocityAlong(2 * axis, 1);
 }
 
-std::string forcesOn(
-  const std::vector<std::string>& bodies, const SolverSetup& setup, const FlowAround& around)
+std::string forcesOn(const std::vector<std::string>& bodies, const SolverSetup& setup,
+  const FlowAround& around, const CaseFiles& files)
 {
   const int flow = around.direction / 2;
   const int up = around.up == flow ? (flow + 1) % 3 : around.up;
-  std::string text = "    forceCoeffs\n    {\n";
-  text += entryOf("type", "forceCoeffs") + entryOf("libs", "(forces)") +
-    entryOf("patches", listOf(bodies)) + entryOf("rho", "rhoInf") + entryOf("rhoInf", "1") +
-    entryOf("dragDir", velocityAlong(around.direction, 1)) + entryOf("liftDir", unitAlong(up)) +
-    entryOf("pitchAxis", unitAlong(3 - up - flow)) + entryOf("CofR", "(0 0 0)") +
-    entryOf("magUInf", number(setup.speed));
   const bool isKnown = around.frontalArea > 0;
-  const char* const what = isKnown ? "of the bodies, as seen along the flow" : "put your own here";
-  text += "        lRef " + number(isKnown ? around.length : 1) + "; // " + what + "\n";
-  text += "        Aref " + number(isKnown ? around.frontalArea : 1) + "; // " + what + "\n";
-  return text + entryOf("writeControl", "timeStep") + entryOf("writeInterval", "1") + "    }\n";
+  return files.text("flow/forceCoeffs",
+    { { "bodies", listOf(bodies) }, { "drag", velocityAlong(around.direction, 1) },
+      { "lift", unitAlong(up) }, { "pitch", unitAlong(3 - up - flow) },
+      { "speed", number(setup.speed) }, { "length", number(isKnown ? around.length : 1) },
+      { "area", number(isKnown ? around.frontalArea : 1) },
+      { "source", isKnown ? "of the bodies, as seen along the flow" : "put your own here" } });
 }
 
 // Mean pressures of what flows in, and how much flows through each end.
-std::string endsOf(const MeshOfCase& mesh)
+std::string endsOf(const MeshOfCase& mesh, const CaseFiles& files)
 {
   std::string text;
   for (const FoamPatch& patch : mesh.patches)
   {
     const PatchRole role = roleOf(patch, {});
-    const auto function = [&](const char* what, const char* operation, const char* field) {
-      text += "    " + std::string(what) + "_" + patch.name + "\n    {\n" +
-        entryOf("type", "surfaceFieldValue") + entryOf("libs", "(fieldFunctionObjects)") +
-        entryOf("regionType", "patch") + entryOf("name", patch.name) +
-        entryOf("operation", operation) + entryOf("fields", field) +
-        entryOf("writeFields", "false") + entryOf("log", "false") +
-        entryOf("writeControl", "timeStep") + entryOf("writeInterval", "1") + "    }\n";
-    };
     if (role == PatchRole::Inlet)
     {
-      function("pressure", "areaAverage", "(p)");
+      text += files.text("flow/pressure", { { "patch", patch.name } });
     }
     if (role == PatchRole::Inlet || role == PatchRole::Outlet)
     {
-      function("flux", "sum", "(phi)");
+      text += files.text("flow/flux", { { "patch", patch.name } });
     }
   }
   return text;
-}
-
-// At walls, whenever fields are written.
-std::string wallDistance()
-{
-  return "    yPlus\n    {\n" + entryOf("type", "yPlus") +
-    entryOf("libs", "(fieldFunctionObjects)") + entryOf("writeControl", "writeTime") + "    }\n";
 }
 
 void writePressure(
@@ -221,42 +146,36 @@ void writeTurbulence(const SolverSetup& setup, const MeshOfCase& mesh,
 
 }
 
-std::string turbulenceProperties(const SolverSetup& setup)
+std::string turbulenceProperties(const SolverSetup& setup, const CaseFiles& files)
 {
-  return setup.turbulence == Turbulence::Laminar
-    ? "simulationType  laminar;\n"
-    : "simulationType  RAS;\nRAS\n{\n    RASModel        kOmegaSST;\n    turbulence      on;\n"
-      "    printCoeffs     off;\n}\n";
+  return files.text(setup.turbulence == Turbulence::Laminar
+      ? "flow/turbulenceProperties.laminar"
+      : "flow/turbulenceProperties.kOmegaSST");
 }
 
 void writeFlowCase(const SolverSetup& setup, const MeshOfCase& mesh,
-  const std::optional<FlowAround>& around, int pieces, CaseFiles& files)
+  const std::optional<FlowAround>& around, CaseFiles& files)
 {
+  const bool isLaminar = setup.turbulence == Turbulence::Laminar;
   writeVelocity(setup, mesh, around, files);
   writePressure(mesh, around, files);
-  if (setup.turbulence != Turbulence::Laminar)
+  if (!isLaminar)
   {
     writeTurbulence(setup, mesh, around, files);
   }
   files.dictionary("constant/transportProperties",
-    "transportModel  Newtonian;\nnu              [0 2 -1 0 0 0 0] " + number(setup.viscosity) +
-      ";\n");
-  files.dictionary("constant/turbulenceProperties", turbulenceProperties(setup));
+    files.text("flow/transportProperties", { { "viscosity", number(setup.viscosity) } }));
+  files.dictionary("constant/turbulenceProperties", turbulenceProperties(setup, files));
+  const std::string functions =
+    (around ? forcesOn(namesOf(mesh, PatchRole::Wall, around), setup, *around, files)
+            : endsOf(mesh, files)) +
+    (isLaminar ? "" : files.text("flow/yPlus"));
   files.dictionary("system/controlDict",
-    controlOf({ "simpleFoam", setup.iterations, setup.iterations },
-      (around ? forcesOn(namesOf(mesh, PatchRole::Wall, around), setup, *around) : endsOf(mesh)) +
-        (setup.turbulence == Turbulence::Laminar ? "" : wallDistance())));
-  files.dictionary("system/fvSchemes", schemesOf({ Gradients, Divergences, Correction }));
-  files.dictionary("system/fvSolution", Solution);
-  // Debian's potentialFoam finds the flux, but a wrong velocity in small cells (see the guide's page openfoam).
-  const std::string places = pieces > 1 ? "processor*/0" : "0";
-  files.script("Allrun",
-    scriptOf("for start in " + places +
-        "; do cp \"$start/U\" \"$start/../U.rest\"; done\n"
-        "run potentialFoam -writephi\n"
-        "for start in " +
-        places + "; do mv \"$start/../U.rest\" \"$start/U\"; done\nrun simpleFoam\n",
-      pieces));
+    files.text("flow/controlDict",
+      { { "iterations", std::to_string(setup.iterations) }, { "functions", functions } }));
+  files.dictionary("system/fvSchemes", files.text("flow/fvSchemes"));
+  files.dictionary("system/fvSolution", files.text("flow/fvSolution"));
+  files.script(files.text("flow/commands", { { "places", files.places("0", "processor*/0") } }));
 }
 
 }

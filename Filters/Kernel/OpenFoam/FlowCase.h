@@ -8,8 +8,8 @@ namespace cartesian
 {
 
 void writeFlowCase(const SolverSetup& setup, const MeshOfCase& mesh,
-  const std::optional<FlowAround>& around, int pieces, CaseFiles& files);
+  const std::optional<FlowAround>& around, CaseFiles& files);
 
-std::string turbulenceProperties(const SolverSetup& setup);
+std::string turbulenceProperties(const SolverSetup& setup, const CaseFiles& files);
 
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenFoam/FoamPieces.h"
 
+#include "Base/BoundaryIndex.h"
 #include "Base/Error.h"
-#include "Surface/Walls.h"
 
 #include <algorithm>
 #include <iterator>

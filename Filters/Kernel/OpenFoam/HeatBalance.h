@@ -6,7 +6,7 @@
 // solid takes in and gives off, and what the two regions on either side of an interface say of it.
 #pragma once
 
-#include "OpenFoam/SolverSetup.h"
+#include "OpenFoam/CaseFiles.h"
 
 namespace cartesian
 {
@@ -15,11 +15,13 @@ namespace cartesian
 int heatInterval(const SolverSetup& setup);
 
 // Entries of controlDict, which write the heat through each patch of each region at these intervals.
-std::string heatFunctions(const SolverSetup& setup, const std::vector<MeshOfCase>& meshes);
+std::string heatFunctions(
+  const SolverSetup& setup, const std::vector<MeshOfCase>& meshes, const CaseFiles& files);
 
-// Commands of Allrun, which run the solver until heat is in balance and then say so, or what is not. `places`: the
-// folders that have results, such as "processor*".
+// Commands of Allrun, which run the solver until heat is in balance and then say so, or what is not.
+// Debian's OpenFOAM lets the administrator make no system calls, so no function object can compare: each run ends at an
+// interval, and the script looks.
 std::string heatCommands(
-  const SolverSetup& setup, const std::vector<MeshOfCase>& meshes, const std::string& places);
+  const SolverSetup& setup, const std::vector<MeshOfCase>& meshes, const CaseFiles& files);
 
 }

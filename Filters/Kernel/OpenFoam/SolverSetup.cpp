@@ -136,7 +136,8 @@ std::vector<std::filesystem::path> writeSolverCase(const std::filesystem::path& 
   {
     return {};
   }
-  CaseFiles files(folder, setup.overwrites, pieces);
+  const CaseTemplates templates(setup.templates);
+  CaseFiles files(folder, templates, setup.overwrites, pieces);
   reportingFailures([&] {
     if (areRegions(meshes))
     {
@@ -144,7 +145,7 @@ std::vector<std::filesystem::path> writeSolverCase(const std::filesystem::path& 
     }
     else
     {
-      writeFlowCase(setup, meshes.front(), around, pieces, files);
+      writeFlowCase(setup, meshes.front(), around, files);
     }
   });
   return files.kept();

@@ -39,12 +39,13 @@ struct SolverSetup
 
   Solver solver = Solver::None;
   Turbulence turbulence = Turbulence::KOmegaSST;
-  double speed = 10;          // at inlets, m/s
-  double viscosity = 1.5e-5;  // kinematic, m2/s
-  double temperature = 350;   // of what flows in, K
-  int iterations = 500;       // of the flow
-  int heatIterations = 20000; // at most (HeatBalance.h)
-  bool overwrites = false;    // files that are there
+  double speed = 10;                    // at inlets, m/s
+  double viscosity = 1.5e-5;            // kinematic, m2/s
+  double temperature = 350;             // of what flows in, K
+  int iterations = 500;                 // of the flow
+  int heatIterations = 20000;           // at most (HeatBalance.h)
+  bool overwrites = false;              // files that are there
+  std::filesystem::path templates = {}; // a folder (CaseTemplates.h); empty: the library's own
 };
 
 // A mesh of the case as it was written.
@@ -94,7 +95,7 @@ void requireSuitable(const SolverSetup& setup, const std::vector<MeshOfCase>& me
 
 // Writes 0, constant, system and Allrun into the folder of a case, or of a case in `pieces`, processor0/0 and so on.
 // Existing files are kept, except those in system that only checkMesh needs (PolyMeshFiles.h), unless the set-up
-// overwrites; returns the kept ones. Throws Error: BadParameter (requireInRange, requireSuitable), CannotWrite.
+// overwrites; returns the kept ones. Throws Error: BadParameter (requireInRange, requireSuitable, CaseTemplates), CannotWrite.
 std::vector<std::filesystem::path> writeSolverCase(const std::filesystem::path& folder,
   const SolverSetup& setup, const std::vector<MeshOfCase>& meshes,
   const std::optional<FlowAround>& around, int pieces);

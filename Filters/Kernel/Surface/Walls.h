@@ -2,8 +2,9 @@
 // The regions on either side of a surface's triangles, if there are several.
 #pragma once
 
+#include "Base/BoundaryIndex.h"
+
 #include <array>
-#include <cstdint>
 #include <vector>
 
 namespace cartesian
@@ -12,10 +13,6 @@ namespace cartesian
 // The region of a vertex or a cell: 0 is outside, regions are numbered from 1.
 constexpr std::int32_t OutsideRegion = 0;
 constexpr std::int32_t FirstRegion = 1;
-
-// Boundary index of faces that do not come from the user's surface: at a leak, or at the end of the
-// grid.
-constexpr std::int32_t NoBoundary = -1;
 
 // Boundary indices of the grid's ends: low x, high x, low y, ...
 using EndBoundaries = std::array<std::int32_t, 6>;

@@ -198,6 +198,48 @@ TEST_F(SolverCase, WhatCannotRunIsRefused)
   expectRefusal("is an inlet");
 }
 
+// What is not replaced stays; a user's text is as it is, but for its placeholders.
+TEST_F(SolverCase, OwnTemplatesReplaceTheLibrarys)
+{
+  setup.templates = folder / "mine";
+  fs::create_directories(setup.templates / "flow");
+  std::ofstream(setup.templates / "README.md") << "@nothing@";
+  std::ofstream(setup.templates / "flow/transportProperties")
+    << "// mail me@home @ 5@\nnu @viscosity@ @viscosity@;\n";
+  writeSolverCase(folder, setup, duct, {}, 1);
+  EXPECT_NE(
+    read("constant/transportProperties").find("// mail me@home @ 5@\nnu 1.5e-05 1.5e-05;\n"),
+    std::string::npos);
+  EXPECT_NE(read("constant/turbulenceProperties").find("kOmegaSST"), std::string::npos);
+}
+
+TEST_F(SolverCase, WhatIsNoTemplateIsRefusedBeforeAnythingIsWritten)
+{
+  setup.templates = folder / "mine";
+  const auto expectRefusal = [&](const std::string& words) {
+    try
+    {
+      writeSolverCase(folder, setup, duct, {}, 1);
+      ADD_FAILURE() << "nothing was thrown";
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.fault, Fault::BadParameter);
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(fs::exists(folder / "0"));
+  };
+  expectRefusal("mine cannot be read (No such file or directory)");
+  fs::create_directories(setup.templates / "flow");
+  std::ofstream(setup.templates / "flow/controlDict") << "endTime @speed@;";
+  expectRefusal(
+    "flow/controlDict has the placeholder @speed@, which has no value there. Those that "
+    "have: @functions@, @iterations@.");
+  fs::rename(setup.templates / "flow/controlDict", setup.templates / "controlDict");
+  expectRefusal(
+    "controlDict is no template. Templates are: Allrun, flow/commands, flow/controlDict");
+}
+
 // Each interface is looked at once, and solids whose heat passes through walls alone.
 TEST_F(SolverCase, HeatEndsInBalance)
 {
