@@ -38,7 +38,7 @@ struct BoundaryFace
 {
   enum class Kind : std::uint8_t
   {
-    Cut, // as it was cut
+    Cut,       // as it was cut
     TurnedCut, // ... reversed
     Shaped,    // a face that edits made or changed
     TurnedShaped,

@@ -4,6 +4,7 @@
 #include "Base/Error.h"
 #include "Base/Sorting.h"
 #include "Cells/BoxVolumes.h"
+#include "Quality/Limits.h"
 
 #include <algorithm>
 
@@ -13,7 +14,6 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t LeastFaces = 4; // of a cell
 constexpr std::size_t BoxesAChunk = 128;
 constexpr std::size_t MostCornersAdded = 2; // by edits: times as many
 
@@ -128,8 +128,7 @@ private:
   void writeCells(
     std::uint32_t boxIndex, std::int32_t region, const SmallCellSpec& spec, CellChunk& chunk)
   {
-    const Box box = boxes_.box(boxIndex);
-    const Vector size = minus(box.high, box.low);
+    const double ofBox = volumeOf(boxes_.box(boxIndex));
     for (const Shell& shell : volumes_.shells())
     {
       if (shell.faces.empty())
@@ -140,13 +139,13 @@ private:
       cell.box = boxIndex;
       cell.boundary = volumes_.mainBoundary(faces_, shell);
       cell.region = region;
-      cell.volumeFraction = shell.volume / (size[0] * size[1] * size[2]);
+      cell.volumeFraction = shell.volume / ofBox;
       cell.firstUse = chunk.uses.size();
       cell.sliver = shell.volume < 0 || shell.isSliver();
       cell.removed = !mustStay(shell, cell.sliver) &&
         (cell.sliver ||
           (spec.handling == SmallCells::Remove &&
-            (shell.faces.size() < LeastFaces ||
+            (shell.faces.size() < SolverLimits::Faces ||
               cell.volumeFraction < ratioOf(spec, cell.boundary, spec.ratio))));
       chunk.cells.push_back(cell);
       for (const std::uint32_t f : shell.faces)

@@ -99,9 +99,7 @@ private:
     double sum = 0;
     for (const std::uint32_t c : part_)
     {
-      const Box box = boxes_.box(wall_.cells[c].box);
-      const Vector size = minus(box.high, box.low);
-      sum += wall_.cells[c].volumeFraction * size[0] * size[1] * size[2];
+      sum += wall_.cells[c].volumeFraction * volumeOf(boxes_.box(wall_.cells[c].box));
     }
     return sum;
   }

@@ -103,9 +103,7 @@ private:
 
   double volumeOf(CellKey key) const
   {
-    const Box box = boxes_.box(wall_.cells[key].box);
-    const Vector size = minus(box.high, box.low);
-    return wall_.cells[key].volumeFraction * size[0] * size[1] * size[2];
+    return wall_.cells[key].volumeFraction * cartesian::volumeOf(boxes_.box(wall_.cells[key].box));
   }
 
   const Boxes& boxes_;

@@ -9,6 +9,7 @@
 #include "Editing/FixedList.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Editing/VolumeDeficits.h"
+#include "Quality/Limits.h"
 
 #include <algorithm>
 
@@ -113,7 +114,7 @@ public:
   // ... or it goes, with what it held.
   bool remove(std::uint32_t c)
   {
-    return mesh_.facesOf(c).size() <= LeastFaces && removeCell(mesh_, c) && finish();
+    return mesh_.facesOf(c).size() <= SolverLimits::Faces && removeCell(mesh_, c) && finish();
   }
 
   // A corner becomes the one before.
@@ -126,8 +127,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t LeastFaces = 4;
-
   bool finish() { return mesh_.face(face_).gone ? isSound() : divide(); }
 
   bool isSound()

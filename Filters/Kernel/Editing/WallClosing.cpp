@@ -147,7 +147,8 @@ private:
     return !mesh_.cell(c).gone && faces.size() == 6 &&
       std::all_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
         const Items corners = mesh_.cornersOf(f);
-        return !mesh_.face(f).shaped && corners.size() == 4 && std::all_of(corners.begin(), corners.end(), isCorner);
+        return !mesh_.face(f).shaped && corners.size() == 4 &&
+          std::all_of(corners.begin(), corners.end(), isCorner);
       });
   }
 
@@ -229,11 +230,9 @@ private:
     double volume = 0;
     for (const std::uint32_t f : mesh_.facesOf(c))
     {
-      Vector area{};
-      const Vector mean = forEachStarTriangle(
-        mesh_.face(f).corners.size, [&](std::size_t i) { return mesh_.corner(f, i); },
-        [&](const Vector&, const Vector&, const Vector& part) { area = plus(area, part); });
-      volume += dot(minus(mean, low), area) * (mesh_.face(f).below == c ? 1 : -1) / 3;
+      const Cone cone = measureCone(
+        mesh_.face(f).corners.size, [&](std::size_t i) { return minus(mesh_.corner(f, i), low); });
+      volume += mesh_.face(f).below == c ? cone.volume : -cone.volume;
     }
     return volume / (size[0] * size[1] * size[2]);
   }
@@ -281,9 +280,8 @@ private:
   bool isUsed(std::uint32_t n) const
   {
     const Items faces = mesh_.facesAround(n);
-    return !mesh_.node(n).gone && std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
-      return isWritten_[f] != 0;
-    });
+    return !mesh_.node(n).gone &&
+      std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) { return isWritten_[f] != 0; });
   }
 
   void writeNodes()

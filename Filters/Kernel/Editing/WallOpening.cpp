@@ -85,10 +85,8 @@ private:
     }
     std::vector<double> least(chunks(keys_.size(), ItemsAChunk), HUGE_VAL); // volume
     forEach(keys_.size(), [&](std::uint32_t c) {
-      const Box box = parts_.boxes.box(boxOf(parts_.wall, keys_[c]));
-      const Vector size = minus(box.high, box.low);
       double& ofChunk = least[c / ItemsAChunk];
-      ofChunk = std::min(ofChunk, size[0] * size[1] * size[2]);
+      ofChunk = std::min(ofChunk, volumeOf(parts_.boxes.box(boxOf(parts_.wall, keys_[c]))));
     });
     mesh_.level = keys_.empty()
       ? 1

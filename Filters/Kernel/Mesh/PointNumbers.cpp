@@ -235,9 +235,8 @@ std::vector<NodeRole> PointNumbers::usedNodes(
   };
   forEach(wall.faces.size(), [&](std::size_t f) {
     const auto& cells = wall.faces.cells[f];
-    if (std::any_of(cells.begin(), cells.end(), [&](CellKey key) {
-          return isHexahedron(key) && isHere(boxOfHexahedron(key));
-        }))
+    if (std::any_of(cells.begin(), cells.end(),
+          [&](CellKey key) { return isHexahedron(key) && isHere(boxOfHexahedron(key)); }))
     {
       wall.faces.forEachNode({ f, false }, mark);
     }

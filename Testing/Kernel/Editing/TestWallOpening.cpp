@@ -152,8 +152,7 @@ std::size_t mergeSome(EditableWall& edited)
   const auto isSimple = [&](std::uint32_t c) {
     return mesh.isFree(c) && mesh.facesOf(c).size() < 20;
   };
-  for (std::uint32_t f = 0; f < count;
-       f += 1 + static_cast<std::uint32_t>(random() % 7))
+  for (std::uint32_t f = 0; f < count; f += 1 + static_cast<std::uint32_t>(random() % 7))
   {
     const EditFace face = mesh.face(f);
     if (face.gone || face.above == None || !isSimple(face.below) || !isSimple(face.above))
