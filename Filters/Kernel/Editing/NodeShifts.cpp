@@ -2,11 +2,13 @@
 #include "Editing/NodeShifts.h"
 
 #include "Base/Rings.h"
+#include "Base/Sorting.h"
 #include "Editing/EditMeasures.h"
 #include "Editing/PrimitiveEdits.h"
 #include "Editing/WallOpening.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace cartesian
 {
@@ -17,7 +19,7 @@ namespace
 constexpr double SmoothCosine = 0.9; // 26 degrees
 constexpr int RoundsOfHalving = 2;   // then nodes of poor faces go back, and those of their cells
 constexpr int Rounds = 16;
-constexpr std::size_t ItemsAChunk = 1024;
+constexpr std::size_t ItemsAChunk = 256;
 
 // Of walls, or of faces between the same two regions; all cells may change.
 bool isAmongFreeWalls(const MeshView& mesh, std::uint32_t n)
@@ -89,181 +91,217 @@ NodeShifts::NodeShifts(
   , spec_(spec)
   , mostCost_(mostCost)
   , execution_(execution)
-  , shifts_(whole.nodes.size())
+  , shiftOf_(whole.nodes.size())
+  , ofFaces_(whole.faces.size(), 0)
+  , ofCells_(whole.cells.size(), 0)
+  , costs_(whole.faces.size())
+  , isPoor_(whole.faces.size(), 0)
 {
-  forEach(shifts_.size(), [&](std::uint32_t n) {
-    shifts_[n] = {};
-    shifts_[n].before = mesh_.node(n).at;
-  });
 }
 
-void NodeShifts::forEach(std::size_t count, const std::function<void(std::uint32_t)>& visit)
+template <class Visitor>
+void NodeShifts::forEach(const std::vector<std::uint32_t>& list, Visitor&& visit) const
 {
-  execution_.forEach(count, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
-    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+  execution_.forEach(list.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    MeshEditor mesh(whole_, 0, 0, {});
+    for (std::size_t i = begin; i < end; ++i)
     {
-      visit(i);
+      visit(mesh, list[i]);
     }
   });
 }
 
+// What add(i, list) adds for 0 to count - 1, in their order.
+template <class Add>
+std::vector<std::uint32_t> NodeShifts::gather(std::size_t count, Add&& add) const
+{
+  std::vector<std::vector<std::uint32_t>> ofChunks(chunks(count, ItemsAChunk));
+  execution_.forEach(count, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      add(i, ofChunks[begin / ItemsAChunk]);
+    }
+  });
+  return concatenated(ofChunks);
+}
+
 void NodeShifts::plan(const std::function<Vector(std::uint32_t)>& way)
 {
-  forEach(shifts_.size(), [&](std::uint32_t n) {
-    shifts_[n].way = way(n);
-    shifts_[n].part = shifts_[n].way == Vector{} ? 0 : 1;
+  std::vector<std::vector<Shift>> ofChunks(chunks(shiftOf_.size(), ItemsAChunk));
+  execution_.forEach(shiftOf_.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
+    {
+      shiftOf_[n] = None;
+      if (const Vector its = way(n); its != Vector{})
+      {
+        ofChunks[begin / ItemsAChunk].push_back({ n, mesh_.node(n).at, its });
+      }
+    }
+  });
+  std::vector<std::size_t> first(ofChunks.size());
+  std::transform(ofChunks.begin(), ofChunks.end(), first.begin(),
+    [](const std::vector<Shift>& some) { return some.size(); });
+  shifts_.resize(scan(first));
+  execution_.forEach(ofChunks.size(), 1, [&](std::size_t i, std::size_t) {
+    for (std::size_t s = 0; s < ofChunks[i].size(); ++s)
+    {
+      shifts_[first[i] + s] = ofChunks[i][s];
+      shiftOf_[ofChunks[i][s].node] = static_cast<std::uint32_t>(first[i] + s);
+    }
   });
 }
 
 void NodeShifts::make()
 {
-  find(near_, nullptr);
-  forEach(shifts_.size(), [&](std::uint32_t n) {
-    if (hasMoved(n))
-    {
-      place(n);
-    }
-  });
-  measure(near_);
-  isPoor_.assign(whole_.faces.size(), 0);
-  findPoor(near_);
-  for (int round = 0; round < Rounds && takeBack(round); ++round)
+  std::vector<std::uint32_t> all(shifts_.size());
+  std::iota(all.begin(), all.end(), 0);
+  const Reach near = reachOf(all, [](const Shift&) { return true; });
+  forEach(all, [&](const MeshEditor&, std::uint32_t s) { place(shifts_[s]); });
+  measure(near);
+  findPoor(near);
+  for (int round = 0; round < Rounds && !poor_.empty(); ++round)
   {
-    find(now_, &Shift::isTakenBack);
-    measure(now_);
-    findPoor(now_);
+    const std::vector<std::uint32_t> some = takeBack(round);
+    const Reach now = reachOf(some, [](const Shift& shift) { return shift.isTakenBack; });
+    measure(now);
+    findPoor(now);
+    forEach(some, [&](const MeshEditor&, std::uint32_t s) { shifts_[s].isTakenBack = false; });
   }
-  setCosts();
-  passOver();
+  setCosts(near);
+  passOver(near);
 }
 
-void NodeShifts::place(std::uint32_t n)
+void NodeShifts::place(Shift& shift)
 {
-  const Shift& shift = shifts_[n];
-  EditNode& node = whole_.nodes[n];
+  EditNode& node = whole_.nodes[shift.node];
   node.at = shift.part == 0
     ? shift.before
     : onLattice(mesh_, plus(shift.before, scaled(shift.way, shift.part)), node.constrainedAxes);
 }
 
-// Of nodes that move, or of some of them.
-void NodeShifts::find(Reach& reach, bool Shift::*isTakenBack)
+// A face is added by the first of its nodes that is meant, a cell by the first of its faces.
+template <class IsMeant>
+NodeShifts::Reach NodeShifts::reachOf(const std::vector<std::uint32_t>& shifts, IsMeant&& isMeant)
 {
-  const auto isMeant = [&](std::uint32_t n) {
-    return isTakenBack ? shifts_[n].*isTakenBack : hasMoved(n);
+  Reach reach;
+  reach.stamp = static_cast<std::uint8_t>(++stamps_);
+  const auto isOne = [&](std::uint32_t n) {
+    return shiftOf_[n] != None && isMeant(shifts_[shiftOf_[n]]);
   };
-  reach.faces.assign(whole_.faces.size(), 0);
-  forEach(reach.faces.size(), [&](std::uint32_t f) {
-    const Items ring = mesh_.cornersOf(f);
-    reach.faces[f] = !mesh_.face(f).gone && std::any_of(ring.begin(), ring.end(), isMeant) ? 1 : 0;
+  reach.faces = gather(shifts.size(), [&](std::size_t i, std::vector<std::uint32_t>& list) {
+    const std::uint32_t n = shifts_[shifts[i]].node;
+    for (const std::uint32_t f : mesh_.facesAround(n))
+    {
+      const Items ring = mesh_.cornersOf(f);
+      *std::find_if(ring.begin(), ring.end(), isOne) == n ? list.push_back(f) : void();
+    }
   });
-  reach.cells.assign(whole_.cells.size(), 0);
-  forEach(reach.cells.size(), [&](std::uint32_t c) {
-    const Items faces = mesh_.facesOf(c);
-    reach.cells[c] = mesh_.isFree(c) &&
-        std::any_of(
-          faces.begin(), faces.end(), [&](std::uint32_t f) { return reach.faces[f] != 0; })
-      ? 1
-      : 0;
+  forEach(reach.faces, [&](const MeshEditor&, std::uint32_t f) { ofFaces_[f] = reach.stamp; });
+  reach.cells = gather(reach.faces.size(), [&](std::size_t i, std::vector<std::uint32_t>& list) {
+    const std::uint32_t f = reach.faces[i];
+    for (const std::uint32_t c : { mesh_.face(f).below, mesh_.face(f).above })
+    {
+      const auto isFirst = [&] {
+        const Items faces = mesh_.facesOf(c);
+        return *std::find_if(faces.begin(), faces.end(),
+                 [&](std::uint32_t g) { return ofFaces_[g] >= reach.stamp; }) == f;
+      };
+      c != None&& mesh_.isFree(c) && isFirst() ? list.push_back(c) : void();
+    }
+  });
+  forEach(reach.cells, [&](const MeshEditor&, std::uint32_t c) { ofCells_[c] = reach.stamp; });
+  return reach;
+}
+
+// Of the faces whose costs may have changed: those of the cells, each once.
+template <class Visitor>
+void NodeShifts::forEachDependent(const Reach& reach, Visitor&& visit) const
+{
+  execution_.forEach(reach.cells.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    MeshEditor mesh(whole_, 0, 0, {});
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const std::uint32_t c = reach.cells[i];
+      for (const std::uint32_t f : mesh_.facesOf(c))
+      {
+        const std::uint32_t below = mesh_.face(f).below;
+        below == c || ofCells_[below] < reach.stamp ? visit(mesh, f, begin / ItemsAChunk) : void();
+      }
+    }
   });
 }
 
 // Nothing else has changed.
 void NodeShifts::measure(const Reach& reach)
 {
-  forEach(reach.faces.size(), [&](std::uint32_t f) {
-    if (reach.faces[f] != 0)
-    {
-      MeshEditor mesh(whole_, 0, 0, {});
-      measureFace(mesh, f);
-    }
-  });
-  forEach(reach.cells.size(), [&](std::uint32_t c) {
-    if (reach.cells[c] != 0)
-    {
-      MeshEditor mesh(whole_, 0, 0, {});
-      measureCell(mesh, c);
-    }
-  });
-}
-
-// Whether what a face costs may have changed.
-bool NodeShifts::dependsOn(const Reach& reach, std::uint32_t f) const
-{
-  const EditFace& face = mesh_.face(f);
-  return !face.gone &&
-    (reach.cells[face.below] != 0 || (face.above != None && reach.cells[face.above] != 0));
+  forEach(reach.faces, [](MeshEditor& mesh, std::uint32_t f) { measureFace(mesh, f); });
+  forEach(reach.cells, [](MeshEditor& mesh, std::uint32_t c) { measureCell(mesh, c); });
 }
 
 void NodeShifts::findPoor(const Reach& reach)
 {
-  forEach(isPoor_.size(), [&](std::uint32_t f) {
-    if (dependsOn(reach, f))
-    {
-      isPoor_[f] = isWorse(f) ? 1 : 0;
-    }
+  std::vector<std::vector<std::uint32_t>> more(chunks(reach.cells.size(), ItemsAChunk));
+  forEachDependent(reach, [&](const MeshEditor&, std::uint32_t f, std::size_t chunk) {
+    costs_[f] = costOfFace(mesh_, f, spec_);
+    const bool is = isWorse(f);
+    is&& isPoor_[f] == 0 ? more[chunk].push_back(f) : void();
+    isPoor_[f] = is ? 1 : 0;
   });
+  poor_.erase(
+    std::remove_if(poor_.begin(), poor_.end(), [&](std::uint32_t f) { return isPoor_[f] == 0; }),
+    poor_.end());
+  const std::vector<std::uint32_t> found = concatenated(more);
+  poor_.insert(poor_.end(), found.begin(), found.end());
 }
 
 bool NodeShifts::isWorse(std::uint32_t f) const
 {
   const EditFace& face = mesh_.face(f);
-  const Cost<double> cost = costOfFace(mesh_, f, spec_);
+  const Cost<double>& cost = costs_[f];
   return cost.fails > int(face.fails) || cost.value > face.cost + mostCost_;
 }
 
-// Halves what nodes of faces that became poor have moved; later takes it back. False: there are none.
-bool NodeShifts::takeBack(int round)
+// Halves what nodes of faces that became poor have moved; later takes it back. Returns which shifts.
+std::vector<std::uint32_t> NodeShifts::takeBack(int round)
 {
-  if (std::find(isPoor_.begin(), isPoor_.end(), 1) == isPoor_.end())
-  {
-    return false;
-  }
-  forEach(shifts_.size(), [&](std::uint32_t n) {
-    Shift& shift = shifts_[n];
-    shift.isTakenBack = shift.part != 0 && isAnyPoor(n, round >= RoundsOfHalving);
-    if (shift.isTakenBack)
-    {
-      shift.part = round < RoundsOfHalving ? shift.part / 2 : 0;
-      place(n);
-    }
+  std::vector<std::uint32_t> some = shiftsAtPoor(round >= RoundsOfHalving);
+  forEach(some, [&](const MeshEditor&, std::uint32_t s) {
+    Shift& shift = shifts_[s];
+    shift.isTakenBack = true;
+    shift.part = round < RoundsOfHalving ? shift.part / 2 : 0;
+    place(shift);
   });
-  return true;
+  return some;
 }
 
-// Of the faces around a node, or also of their cells.
-bool NodeShifts::isAnyPoor(std::uint32_t n, bool ofCells) const
+// Of nodes of poor faces, or also of their cells, that have moved.
+std::vector<std::uint32_t> NodeShifts::shiftsAtPoor(bool ofCells) const
 {
-  const auto is = [&](std::uint32_t f) { return isPoor_[f] != 0; };
-  const Items faces = mesh_.facesAround(n);
-  bool isAny = std::any_of(faces.begin(), faces.end(), is);
-  for (std::size_t i = 0; ofCells && i < faces.size() && !isAny; ++i)
-  {
-    for (const std::uint32_t c : { mesh_.face(faces[i]).below, mesh_.face(faces[i]).above })
+  return sortedUnique(gather(poor_.size(), [&](std::size_t i, std::vector<std::uint32_t>& list) {
+    const auto addOf = [&](std::uint32_t f) {
+      for (const std::uint32_t n : mesh_.cornersOf(f))
+      {
+        const std::uint32_t s = shiftOf_[n];
+        s != None&& shifts_[s].part != 0 ? list.push_back(s) : void();
+      }
+    };
+    addOf(poor_[i]);
+    const EditFace& face = mesh_.face(poor_[i]);
+    for (const std::uint32_t c : { face.below, face.above })
     {
-      const Items others = c == None ? faces : mesh_.facesOf(c);
-      isAny = isAny || std::any_of(others.begin(), others.end(), is);
+      for (const std::uint32_t f : ofCells&& c != None ? mesh_.facesOf(c) : Items{})
+      {
+        addOf(f);
+      }
     }
-  }
-  return isAny;
+  }));
 }
 
-void NodeShifts::setCosts()
+void NodeShifts::setCosts(const Reach& reach)
 {
-  forEach(near_.cells.size(), [&](std::uint32_t c) {
-    if (near_.cells[c] != 0)
-    {
-      MeshEditor mesh(whole_, 0, 0, {});
-      setCostOfCell(mesh, c);
-    }
-  });
-  forEach(near_.faces.size(), [&](std::uint32_t f) {
-    if (dependsOn(near_, f))
-    {
-      MeshEditor mesh(whole_, 0, 0, {});
-      setCostOfFace(mesh, f, spec_);
-    }
-  });
+  forEach(reach.cells, [](MeshEditor& mesh, std::uint32_t c) { setCostOfCell(mesh, c); });
+  forEachDependent(reach,
+    [&](MeshEditor& mesh, std::uint32_t f, std::size_t) { setCost(mesh.rawFace(f), costs_[f]); });
 }
 
 // The volume that a wall has passed over, as the triangles around the mean of its corners enclose it. Their areas are
@@ -271,10 +309,13 @@ void NodeShifts::setCosts()
 double NodeShifts::sweptBy(std::uint32_t f) const
 {
   const Items ring = mesh_.cornersOf(f);
-  const auto at = [&](std::uint32_t n, double time) {
-    return plus(scaled(shifts_[n].before, 1 - time), scaled(mesh_.node(n).at, time));
+  const auto before = [&](std::uint32_t n) -> const Vector& {
+    return shiftOf_[n] == None ? mesh_.node(n).at : shifts_[shiftOf_[n]].before;
   };
-  const auto moved = [&](std::uint32_t n) { return minus(mesh_.node(n).at, shifts_[n].before); };
+  const auto at = [&](std::uint32_t n, double time) {
+    return plus(scaled(before(n), 1 - time), scaled(mesh_.node(n).at, time));
+  };
+  const auto moved = [&](std::uint32_t n) { return minus(mesh_.node(n).at, before(n)); };
   const double share = 1 / double(ring.size());
   double volume = 0;
   for (const auto& [time, weight] : { std::pair{ 0.0, 1.0 }, { 0.5, 4.0 }, { 1.0, 1.0 } })
@@ -297,14 +338,11 @@ double NodeShifts::sweptBy(std::uint32_t f) const
   return volume / 36; // 6 of the rule, 3 of the mean, 2 of areas
 }
 
-void NodeShifts::passOver()
+void NodeShifts::passOver(const Reach& reach)
 {
-  forEach(whole_.faces.size(), [&](std::uint32_t f) {
+  forEach(reach.faces, [&](const MeshEditor&, std::uint32_t f) {
     EditFace& face = whole_.faces[f];
-    if (!face.gone && isSurface(face) && near_.faces[f] != 0)
-    {
-      face.volumeDeficit -= sweptBy(f);
-    }
+    face.volumeDeficit -= isSurface(face) ? sweptBy(f) : 0;
   });
 }
 

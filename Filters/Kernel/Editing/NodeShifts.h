@@ -7,6 +7,7 @@
 #include "Editing/WallObjective.h"
 
 #include <functional>
+#include <vector>
 
 namespace cartesian
 {
@@ -38,36 +39,51 @@ public:
   // Costs are valid before and afterwards; what walls owe follows what they passed over.
   void make();
 
-  bool hasMoved(std::uint32_t n) const { return shifts_[n].part != 0; }
-  const Vector& before(std::uint32_t n) const { return shifts_[n].before; }
+  // Calls visit(node) for those that have moved.
+  template <class Visitor>
+  void forEachMoved(Visitor&& visit) const
+  {
+    for (const Shift& shift : shifts_)
+    {
+      shift.part != 0 ? visit(shift.node) : void();
+    }
+  }
 
 private:
   struct Shift
   {
-    Vector before{}; // where the node was
-    Vector way{};
-    double part = 0;          // of it
+    std::uint32_t node;
+    Vector before; // where it was
+    Vector way;
+    double part = 1;          // of it
     bool isTakenBack = false; // in this round
   };
 
-  // Faces with a node that moved, cells with such a face.
+  // Faces with a node that moved, cells with such a face: each once.
   struct Reach
   {
-    std::vector<std::uint8_t> faces;
-    std::vector<std::uint8_t> cells;
+    std::uint8_t stamp; // theirs, or higher
+    std::vector<std::uint32_t> faces;
+    std::vector<std::uint32_t> cells;
   };
 
-  void forEach(std::size_t count, const std::function<void(std::uint32_t)>& visit);
-  void place(std::uint32_t n);
-  void find(Reach& reach, bool Shift::*isTakenBack);
+  template <class Visitor>
+  void forEach(const std::vector<std::uint32_t>& list, Visitor&& visit) const;
+  template <class Visitor>
+  void forEachDependent(const Reach& reach, Visitor&& visit) const;
+  template <class Add>
+  std::vector<std::uint32_t> gather(std::size_t count, Add&& add) const;
+
+  void place(Shift& shift);
+  template <class IsMeant>
+  Reach reachOf(const std::vector<std::uint32_t>& shifts, IsMeant&& isMeant);
   void measure(const Reach& reach);
-  bool dependsOn(const Reach& reach, std::uint32_t f) const;
   void findPoor(const Reach& reach);
   bool isWorse(std::uint32_t f) const;
-  bool takeBack(int round);
-  bool isAnyPoor(std::uint32_t n, bool ofCells) const;
-  void setCosts();
-  void passOver();
+  std::vector<std::uint32_t> takeBack(int round);
+  std::vector<std::uint32_t> shiftsAtPoor(bool ofCells) const;
+  void setCosts(const Reach& reach);
+  void passOver(const Reach& reach);
   double sweptBy(std::uint32_t f) const;
 
   EditMesh& whole_;
@@ -75,10 +91,14 @@ private:
   const ObjectiveSpec& spec_;
   const double mostCost_;
   Execution& execution_;
-  RecordVector<Shift> shifts_;
-  Reach near_;                       // of all that moved
-  Reach now_;                        // of what was taken back in this round
-  std::vector<std::uint8_t> isPoor_; // faces
+  int stamps_ = 0;
+  RecordVector<Shift> shifts_;        // of nodes that may move, in order
+  RawVector<std::uint32_t> shiftOf_;  // each node's, or None
+  std::vector<std::uint8_t> ofFaces_; // stamps: the last reach that has them; 0: none
+  std::vector<std::uint8_t> ofCells_; // ... too
+  RawVector<Cost<double>> costs_;     // of faces in reach, as they are now
+  std::vector<std::uint8_t> isPoor_;  // faces
+  std::vector<std::uint32_t> poor_;   // these
 };
 
 }

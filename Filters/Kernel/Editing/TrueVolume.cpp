@@ -165,13 +165,7 @@ void redistributeVolume(EditMesh& mesh, const ObjectiveSpec& spec, Execution& ex
   NodeShifts shifts(mesh, spec, MostCost, execution);
   shifts.plan([&](std::uint32_t n) { return heights.wayOf(n); });
   shifts.make();
-  execution.forEach(mesh.nodes.size(), ItemsAChunk, [&](std::size_t begin, std::size_t end) {
-    for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
-    {
-      EditNode& node = mesh.nodes[n];
-      node.referencePosition = shifts.hasMoved(n) ? node.at : node.referencePosition;
-    }
-  });
+  shifts.forEachMoved([&](std::uint32_t n) { mesh.nodes[n].referencePosition = mesh.nodes[n].at; });
 }
 
 }
