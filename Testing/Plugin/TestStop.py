@@ -8,7 +8,8 @@ from pipeline import error_code, output, read
 
 BEFORE = ["Scaling and Dual Levels", "Defects of the surface", "Boxes", "Patches",
           "Common sides of boxes", "Inner faces", "Cells"]
-SHAPING, AFTER = ["Opening of the wall", "Edits of the wall", "Closing of the wall", "Checks of cells"], ["Numbering", "Writing the mesh"]
+OPENING, EDITS = ["Opening of the wall"], ["Edits of the wall"]
+AFTER = ["Closing of the wall", "Checks of cells", "Numbering", "Writing the mesh"]
 STOPPED = 40009
 STEP = 0.1  # most of the whole that is done from one report to the next
 LEAST = 50  # reports at different progress: one for each 2 % of the work, whatever the clock says
@@ -38,9 +39,9 @@ def mesh(observer, properties):
 spot = read("cino_spot.obj")
 spot.UpdatePipeline()
 for properties, stages, stops in (
-    ({"CollapseRatio": 0, "SmallCells": "Remove", "SplitConcaveCells": 0}, BEFORE + AFTER,
+    ({"CollapseRatio": 0, "SmallCells": "Remove", "SplitConcaveCells": 0}, BEFORE + OPENING + AFTER,
         (0.005, 0.05, 0.25, 0.4, 0.6, 0.7, 0.8, 0.9)),
-    ({"SmallCells": "Merge", "SplitConcaveCells": 1}, BEFORE + SHAPING + AFTER, (0.5, 0.92)),
+    ({"SmallCells": "Merge", "SplitConcaveCells": 1}, BEFORE + OPENING + EDITS + AFTER, (0.5, 0.92)),
 ):
     observer = Observer()
     mesher = mesh(observer, properties)

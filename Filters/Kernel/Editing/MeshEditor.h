@@ -36,7 +36,7 @@ struct EditDelta
   }
 };
 
-// Zeroes by number, of which only the pages that are written take memory: each editor has some for the mesh mesh.
+// Zeroes by number, of which only the pages that are written take memory: each editor has some for the whole mesh.
 template <class T>
 class Zeroes
 {
@@ -121,7 +121,7 @@ struct DirtySets
   }
 };
 
-// An editor: of the mesh mesh, or of one zone.
+// An editor: of the whole mesh, or of one zone.
 class MeshEditor : public MeshView
 {
 public:

@@ -335,9 +335,9 @@ void editWall(
     { options.patches.featureAngle, layers }, execution);
   a.wall.forgetFaces();
   a.sides.forgetSides();
-  execution.stage("Edits of the wall", AfterOpening, AfterEdits);
   if (isEdited)
   {
+    execution.stage("Edits of the wall", AfterOpening, AfterEdits);
     count(a, improveWall(wall.mesh, improvementOf(options, isExact(a.patches)), execution));
   }
   execution.stage("Closing of the wall", AfterEdits, AfterClosing);
