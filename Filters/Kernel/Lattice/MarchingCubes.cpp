@@ -15,6 +15,9 @@ constexpr double MostCriterion = 4;
 // Penalty for a triangle in a side of the box, where only inner faces should be.
 constexpr double CostInSide = 1e3;
 
+// No triangle costs less: the criterion is 1 where normals agree, to within rounding.
+constexpr double LeastCost = 1 - 1e-12;
+
 double costOf(const LoopNode& a, const LoopNode& b, const LoopNode& c)
 {
   const Vector normal = unit(cross(minus(b.at, a.at), minus(c.at, a.at)));
@@ -23,9 +26,13 @@ double costOf(const LoopNode& a, const LoopNode& b, const LoopNode& c)
   {
     return cost + MostCriterion;
   }
-  for (const LoopNode* node : { &a, &b, &c })
+  const double cosine = dot(normal, a.normal);
+  const double first = criterion(cosine) / 3;
+  cost += first;
+  for (const LoopNode* node : { &b, &c })
   {
-    cost += criterion(dot(normal, node->normal)) / 3;
+    const double other = dot(normal, node->normal); // often the same: of a node that is removed
+    cost += other == cosine ? first : criterion(other) / 3;
   }
   return cost;
 }
@@ -107,8 +114,13 @@ void LoopTriangulation::optimise(
       double least = -1;
       for (std::size_t k = i + 1; k < j; ++k)
       {
-        const double cost = cost_[i * n + k] + cost_[k * n + j] +
-          (n == 3 ? 0 : costOf(loop[nodes[i]], loop[nodes[k]], loop[nodes[j]]));
+        const double behind = cost_[i * n + k] + cost_[k * n + j];
+        if (least >= 0 && behind + LeastCost >= least)
+        {
+          continue;
+        }
+        const double cost =
+          behind + (n == 3 ? 0 : costOf(loop[nodes[i]], loop[nodes[k]], loop[nodes[j]]));
         if (least < 0 || cost < least)
         {
           least = cost;

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <numeric>
+#include <random>
 
 using namespace cartesian;
 
@@ -133,6 +135,47 @@ TEST(MarchingCubes, CriterionIsEquation4)
   for (double s = -1; s < 1; s += 0.1)
   {
     EXPECT_GT(criterion(s), criterion(s + 0.1));
+  }
+}
+
+// The sum of the criterion over the nodes of all triangles, divided by three.
+TEST(MarchingCubes, NoTriangulationOfALoopHasALowerCriterion)
+{
+  std::mt19937 random(3);
+  const auto number = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    std::vector<LoopNode> loop;
+    for (int i = 0; i < 9; ++i)
+    {
+      const double angle = 2 * Pi * i / 9;
+      const double radius = 0.3 + number();
+      loop.push_back(node({ radius * std::cos(angle), radius * std::sin(angle), 0.5 * number() },
+        { number() - 0.5, number() - 0.5, trial % 2 == 0 ? 1 : 0.2 }));
+    }
+    const auto cost = [&](std::size_t a, std::size_t b, std::size_t c) {
+      const Vector normal =
+        unit(cross(minus(loop[b].at, loop[a].at), minus(loop[c].at, loop[a].at)));
+      return (criterion(dot(normal, loop[a].normal)) + criterion(dot(normal, loop[b].normal)) +
+               criterion(dot(normal, loop[c].normal))) /
+        3;
+    };
+    const std::function<double(std::size_t, std::size_t)> least = [&](
+                                                                    std::size_t i, std::size_t j) {
+      double best = j < i + 2 ? 0 : 1e9;
+      for (std::size_t k = i + 1; k < j; ++k)
+      {
+        best = std::min(best, least(i, k) + least(k, j) + cost(i, k, j));
+      }
+      return best;
+    };
+    LoopTriangulation triangulation;
+    double sum = 0;
+    for (const auto& t : triangulation.triangulate(loop))
+    {
+      sum += cost(t[0], t[1], t[2]);
+    }
+    EXPECT_NEAR(sum, least(0, loop.size() - 1), 1e-9);
   }
 }
 
