@@ -758,11 +758,7 @@ private:
 // Of triangles with other corners.
 std::vector<TrianglePair> differing(const Surface& surface, std::vector<TrianglePair> pairs)
 {
-  const auto areSame = [&](const TrianglePair& pair) {
-    const Triple& s = surface.triangles[pair.first];
-    const Triple& t = surface.triangles[pair.second];
-    return has(s, t[0]) && has(s, t[1]) && has(s, t[2]);
-  };
+  const auto areSame = [&](const TrianglePair& pair) { return haveSameCorners(surface, pair); };
   pairs.erase(std::remove_if(pairs.begin(), pairs.end(), areSame), pairs.end());
   return pairs;
 }
@@ -886,8 +882,9 @@ bool arrange(Surface& surface, const Placing& placing, Execution& execution)
       isNew[t] = made[t] == Made::SinceSearch ? 1 : 0;
       made[t] = made[t] == Made::Given ? Made::Given : Made::Before;
     }
-    pairs = differing(
-      surface, findPairs(surface, { body, placing.piecesTogether, isNew }, execution).pairs);
+    // As many as there were, and not few: the rounds end, whichever these are.
+    const NearlyFlat pieces{ body, placing.piecesTogether, isNew, std::max(before, FewPairs) };
+    pairs = differing(surface, findPairs(surface, pieces, execution).pairs);
     isStuck = pairs.size() == before &&
       sizes == std::array<std::size_t, 2>{ surface.triangles.size(), surface.vertices.size() };
   }

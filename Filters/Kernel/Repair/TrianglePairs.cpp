@@ -6,6 +6,7 @@
 #include "Repair/TriangleTree.h"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 
 namespace cartesian
@@ -177,6 +178,32 @@ Contact contactOf(
     : contact;
 }
 
+// Counts pairs until there are enough. Whether there are, in the end, does not depend on threads.
+class PairCount
+{
+public:
+  PairCount(const Surface& surface, const NearlyFlat* nearly)
+    : surface_(surface)
+    , enough_(nearly ? nearly->enough : std::numeric_limits<std::size_t>::max())
+  {
+  }
+
+  bool isEnough() const { return count_ >= enough_; }
+
+  // Those from `first` on, each of which is added once.
+  void add(const std::vector<TrianglePair>& pairs, std::size_t first)
+  {
+    count_ +=
+      static_cast<std::size_t>(std::count_if(pairs.begin() + static_cast<std::ptrdiff_t>(first),
+        pairs.end(), [&](const TrianglePair& pair) { return !haveSameCorners(surface_, pair); }));
+  }
+
+private:
+  const Surface& surface_;
+  std::size_t enough_;
+  std::atomic<std::size_t> count_{ 0 };
+};
+
 struct PairSearch
 {
   std::vector<TrianglePair> pairs;
@@ -191,27 +218,37 @@ struct PairSearch
   }
 };
 
-// Compares the triangles at some places of the tree with at most `most` neighbours each.
-PairSearch search(const Surface& surface, const NearlyFlat* nearly, const TriangleTree& tree,
-  const std::vector<std::size_t>& places, std::size_t most, Execution& execution)
+// Which neighbours of a triangle are compared with it, in the order in which the tree has them.
+struct Neighbours
 {
-  const std::size_t grain = std::max<std::size_t>(1, TestsAChunk / most);
+  std::size_t from;
+  std::size_t to;
+};
+
+// Compares the triangles at some places of the tree with some of their neighbours each.
+PairSearch search(const Surface& surface, const NearlyFlat* nearly, const TriangleTree& tree,
+  const std::vector<std::size_t>& places, const Neighbours& which, PairCount& count,
+  Execution& execution)
+{
+  const std::size_t grain = std::max<std::size_t>(1, TestsAChunk / which.to);
   std::vector<PairSearch> parts(chunks(places.size(), grain));
   execution.forEach(places.size(), grain, [&](std::size_t begin, std::size_t end) {
     PairSearch& part = parts[begin / grain];
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end && !count.isEnough(); ++i)
     {
       const std::uint32_t t = tree.triangle(places[i]);
+      const std::size_t first = part.pairs.size();
       std::size_t seen = 0;
       bool finished = true;
       tree.forEachLarger(places[i], [&](std::uint32_t other) {
-        if (seen == most)
+        if (seen == which.to)
         {
           finished = false;
           return false;
         }
         ++seen;
-        const Contact contact = contactOf(surface, nearly, t, other);
+        const Contact contact =
+          seen > which.from ? contactOf(surface, nearly, t, other) : Contact::Apart;
         if (contact != Contact::Apart)
         {
           part.pairs.push_back({ std::min(t, other), std::max(t, other), contact });
@@ -219,6 +256,7 @@ PairSearch search(const Surface& surface, const NearlyFlat* nearly, const Triang
         return true;
       });
       part.tests += seen;
+      count.add(part.pairs, first);
       if (!finished)
       {
         part.unfinished.push_back(places[i]);
@@ -239,21 +277,19 @@ TrianglePairs findAll(const Surface& surface, const NearlyFlat* nearly, Executio
   std::vector<std::size_t> places(tree.size());
   std::iota(places.begin(), places.end(), 0);
   execution.nextLoop(0.7);
-  PairSearch found = search(surface, nearly, tree, places, FirstTests, execution);
-  if (!found.unfinished.empty())
+  PairCount count(surface, nearly);
+  PairSearch found = search(surface, nearly, tree, places, { 0, FirstTests }, count, execution);
+  if (!found.unfinished.empty() && !count.isEnough())
   {
     // Around the pole of a sphere all triangles are neighbours: the tests that others need not are theirs.
     const std::size_t left = std::max(MostTests, FirstTests * tree.size()) - found.tests;
     places = std::move(found.unfinished);
     found.unfinished.clear();
     execution.nextLoop(0.7);
-    found.add(
-      search(surface, nearly, tree, places, std::max(FirstTests, left / places.size()), execution));
+    const Neighbours others{ FirstTests, std::max(FirstTests, left / places.size()) };
+    found.add(search(surface, nearly, tree, places, others, count, execution));
   }
-  // Pairs compared in both searches occur twice.
   std::sort(found.pairs.begin(), found.pairs.end());
-  const auto same = [](const TrianglePair& a, const TrianglePair& b) { return !(a < b); };
-  found.pairs.erase(std::unique(found.pairs.begin(), found.pairs.end(), same), found.pairs.end());
   TrianglePairs all{ std::move(found.pairs), {} };
   for (const std::size_t place : found.unfinished)
   {
@@ -277,10 +313,13 @@ TrianglePairs findNew(const Surface& surface, const NearlyFlat& nearly, Executio
   }
   constexpr std::size_t grain = TestsAChunk / FirstTests;
   std::vector<std::vector<TrianglePair>> parts(chunks(triangles.size(), grain));
+  PairCount count(surface, &nearly);
   execution.nextLoop(0.7);
   execution.forEach(triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+    std::vector<TrianglePair>& pairs = parts[begin / grain];
+    for (std::size_t i = begin; i < end && !count.isEnough(); ++i)
     {
+      const std::size_t first = pairs.size();
       const std::uint32_t t = triangles[i];
       const Corners c = surface.corners(t);
       Vector low = toVector(c[0]);
@@ -296,10 +335,11 @@ TrianglePairs findNew(const Surface& surface, const NearlyFlat& nearly, Executio
           const Contact contact = contactOf(surface, &nearly, t, other);
           if (contact != Contact::Apart)
           {
-            parts[begin / grain].push_back({ std::min(t, other), std::max(t, other), contact });
+            pairs.push_back({ std::min(t, other), std::max(t, other), contact });
           }
         }
       });
+      count.add(pairs, first);
     }
   });
   TrianglePairs all;
@@ -331,6 +371,13 @@ Contact contactOf(const Surface& surface, std::uint32_t a, std::uint32_t b)
   }
   const CornerSides ofB = sidesOf(cb, vb, TrianglePlane(ca), va);
   return meetsPlane(ofB) && cross(ca, cb, ofA, ofB) ? Contact::Crossing : Contact::Apart;
+}
+
+bool haveSameCorners(const Surface& surface, const TrianglePair& pair)
+{
+  const Vertices& s = surface.triangles[pair.first];
+  const Vertices& t = surface.triangles[pair.second];
+  return has(s, t[0]) && has(s, t[1]) && has(s, t[2]);
 }
 
 std::array<Vector, 2> sharedSegment(const Corners& a, const Corners& b)

@@ -5,6 +5,8 @@
 #include "Lattice/Vector.h"
 #include "Surface/Surface.h"
 
+#include <limits>
+
 namespace cartesian
 {
 
@@ -34,6 +36,9 @@ struct TrianglePair
   }
 };
 
+// Whether the two have the same three corners.
+bool haveSameCorners(const Surface& surface, const TrianglePair& pair);
+
 struct TrianglePairs
 {
   std::vector<TrianglePair> pairs;    // in order
@@ -53,6 +58,9 @@ struct NearlyFlat
   double distance;                 // levels
   std::vector<std::uint8_t>
     isNew; // of each triangle: pairs of others are not looked for; empty: all are new
+
+  // Of pairs that do not have the same corners: where there are so many, the search ends, and may not return all.
+  std::size_t enough = std::numeric_limits<std::size_t>::max();
 };
 TrianglePairs findPairs(const Surface& surface, const NearlyFlat& nearly, Execution& execution);
 

@@ -204,6 +204,42 @@ TEST(TrianglePairs, AllAreFound)
   }
 }
 
+// Of pairs that do not have the same corners, in whichever order they come.
+TEST(TrianglePairs, SearchesEndWhereThereAreEnough)
+{
+  Surface surface = randomTriangles(1, 400, 8);
+  surface.triangles.insert(
+    surface.triangles.end(), surface.triangles.begin(), surface.triangles.begin() + 100);
+  surface.boundary.resize(surface.triangles.size());
+  NearlyFlat nearly{ std::vector<std::uint32_t>(surface.triangles.size()), 0, {} };
+  const auto differing = [&](std::size_t enough, int threads) {
+    nearly.enough = enough;
+    Execution execution(threads);
+    const std::vector<TrianglePair> pairs = findPairs(surface, nearly, execution).pairs;
+    return static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(),
+      [&](const TrianglePair& pair) { return !haveSameCorners(surface, pair); }));
+  };
+  const std::size_t all = differing(std::numeric_limits<std::size_t>::max(), 1);
+  ASSERT_GT(all, 1000u);
+  for (const bool fewAreNew : { false, true })
+  {
+    const std::size_t found = fewAreNew ? differing(all + 1, 1) : all;
+    ASSERT_GT(found, 40u);
+    for (const int threads : { 1, 3 })
+    {
+      EXPECT_GE(differing(20, threads), 20u);
+      EXPECT_LT(differing(20, threads), found);
+      EXPECT_EQ(differing(found, threads), found);
+      EXPECT_EQ(differing(found + 1, threads), found);
+    }
+    nearly.isNew.assign(surface.triangles.size(), 0); // then: of one in forty
+    for (std::size_t t = 0; t < surface.triangles.size(); t += 40)
+    {
+      nearly.isNew[t] = 1;
+    }
+  }
+}
+
 // Far from the origin of the lattice, where determinants take a hundred bits.
 TEST(TrianglePairs, OneLevelDecides)
 {
@@ -261,6 +297,8 @@ TEST(TrianglePairs, PolesOfSpheresAreCompared)
   found = search();
   EXPECT_TRUE(found.givenUp.empty());
   EXPECT_FALSE(found.pairs.empty());
+  const auto same = [](const TrianglePair& a, const TrianglePair& b) { return !(a < b); };
+  EXPECT_EQ(std::adjacent_find(found.pairs.begin(), found.pairs.end(), same), found.pairs.end());
 }
 
 // As many neighbours as there are triangles: not all are compared, and the time is bounded.
