@@ -104,7 +104,7 @@ public:
   // given ones.
   std::size_t fold(bool withGiven)
   {
-    mergeClose();
+    const bool isMerged = mergeClose();
     std::vector<std::uint32_t> flat;
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
     {
@@ -132,12 +132,16 @@ public:
       putOnEdge(endsOf(c[0], c[1]), c[2]);
       c[2] = c[1];
     }
-    divide();
+    if (isMerged || !flat.empty())
+    {
+      divide();
+    }
     return flat.size();
   }
 
 private:
-  void mergeClose()
+  // Whether there was anything.
+  bool mergeClose()
   {
     bool any = false;
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
@@ -157,6 +161,7 @@ private:
         v = now;
       }
     }
+    return any;
   }
 
   // A vertex of what two triangles share, where it is on one of them.

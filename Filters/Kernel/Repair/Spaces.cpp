@@ -284,21 +284,32 @@ bool faceAlike(const std::array<std::uint32_t, 3>& a, const std::array<std::uint
 
 std::vector<Piece> piecesOf(const Surface& surface)
 {
-  std::vector<std::uint32_t> order(surface.triangles.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto key = [&](std::uint32_t t) {
-    return std::make_tuple(sorted(surface.triangles[t]), surface.region[t], t);
-  };
-  std::sort(
-    order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-  std::vector<Piece> pieces;
-  for (const std::uint32_t t : order)
+  struct Entry
   {
-    if (pieces.empty() || sorted(pieces.back().vertices) != sorted(surface.triangles[t]))
+    Triple corners; // sorted
+    std::int32_t region;
+    std::uint32_t triangle;
+
+    bool operator<(const Entry& other) const
     {
-      pieces.push_back({ surface.triangles[t], {} });
+      return std::tie(corners, region, triangle) <
+        std::tie(other.corners, other.region, other.triangle);
     }
-    pieces.back().triangles.push_back(t);
+  };
+  std::vector<Entry> entries(surface.triangles.size());
+  for (std::uint32_t t = 0; t < entries.size(); ++t)
+  {
+    entries[t] = { sorted(surface.triangles[t]), surface.region[t], t };
+  }
+  std::sort(entries.begin(), entries.end());
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    if (i == 0 || entries[i - 1].corners != entries[i].corners)
+    {
+      pieces.push_back({ surface.triangles[entries[i].triangle], {} });
+    }
+    pieces.back().triangles.push_back(entries[i].triangle);
   }
   return pieces;
 }
