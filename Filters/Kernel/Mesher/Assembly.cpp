@@ -220,8 +220,8 @@ BoxFlags keepParts(Assembly& a, BoxFlags flawed, const PartsToKeep& which, const
   {
     return flawed;
   }
-  const KeptParts kept =
-    findKeptParts(which, a.boxes, a.patches, a.sides, a.nodes, makeCells(a, options, execution));
+  const KeptParts kept = findKeptParts(
+    which, a.boxes, a.patches, a.sides, a.nodes, makeCells(a, options, execution), execution);
   a.separate.leftOut = kept.leftOut;
   if (kept.leftOut == 0)
   {
@@ -405,7 +405,7 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   }
   if (isWhole(a))
   {
-    a.separate.ofRegions = countParts(a.boxes, a.patches.walls, a.sides, a.wall);
+    a.separate.ofRegions = countParts(a.boxes, a.patches.walls, a.sides, a.wall, execution);
   }
   execution.stage("Numbering", AfterEditing, AfterNumbering);
   a.mesh = std::make_unique<OutputMesh>(
