@@ -179,10 +179,10 @@ std::vector<std::int32_t> pointNumbers(vtkUnstructuredGrid* grid, const GridFace
 
 // Faces that were not in the mesh's boundary have none.
 BoundaryKnowledge readBoundaries(vtkUnstructuredGrid* grid, const GridFaces& faces, FaceList& list,
-  std::vector<vtkIdType>& boundary)
+  std::vector<vtkIdType>& boundary, Execution& execution)
 {
   const BoundaryKnowledge known =
-    readBoundaryOfFaces(grid, faces.cells, faces.cellOf, list, boundary);
+    readBoundaryOfFaces(grid, faces.cells, faces.cellOf, list, boundary, execution);
   std::replace(boundary.begin(), boundary.end(), UnknownBoundary, vtkIdType(NoBoundary));
   return known;
 }
@@ -195,7 +195,7 @@ WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution)
   turnOutward(faces.cells, faces.points.data(), execution);
   FaceList list = listFaces(faces.cells, faces.points.size() / 3, Clashes::Refused, execution);
   std::vector<vtkIdType> boundaryOf;
-  const BoundaryKnowledge known = readBoundaries(grid, faces, list, boundaryOf);
+  const BoundaryKnowledge known = readBoundaries(grid, faces, list, boundaryOf, execution);
   std::vector<FoamPatch> patches;
   if (known == BoundaryKnowledge::All)
   {
@@ -222,7 +222,7 @@ FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)
   turnOutward(faces.cells, faces.points.data(), execution);
   FaceList list = listFaces(faces.cells, faces.points.size() / 3, Clashes::Refused, execution);
   std::vector<vtkIdType> boundaryOf;
-  if (readBoundaries(grid, faces, list, boundaryOf) != BoundaryKnowledge::All)
+  if (readBoundaries(grid, faces, list, boundaryOf, execution) != BoundaryKnowledge::All)
   {
     throw Error(Fault::BadMesh,
       "Cells were changed after meshing: to write a decomposed case, save the output of Cartesian "

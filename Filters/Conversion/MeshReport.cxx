@@ -96,8 +96,8 @@ public:
       Clashes::AreBoundary, execution_);
     std::vector<vtkIdType> cellOf(cells_.cellCount());
     std::iota(cellOf.begin(), cellOf.end(), 0);
-    const bool isKnown =
-      readBoundaryOfFaces(mesh_, cells_, cellOf, faces_, boundary_) == BoundaryKnowledge::All;
+    const bool isKnown = readBoundaryOfFaces(mesh_, cells_, cellOf, faces_, boundary_,
+                           execution_) == BoundaryKnowledge::All;
     boundary_.resize(faces_.face.size() - faces_.neighbour.size(), UnknownBoundary);
     if (!isKnown)
     {
