@@ -191,7 +191,7 @@ BoundaryKnowledge readBoundaries(vtkUnstructuredGrid* grid, const GridFaces& fac
 
 WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution)
 {
-  GridFaces faces(grid);
+  GridFaces faces(grid, execution);
   turnOutward(faces.cells, faces.points.data(), execution);
   FaceList list = listFaces(faces.cells, faces.points.size() / 3, Clashes::Refused, execution);
   std::vector<vtkIdType> boundaryOf;
@@ -207,7 +207,8 @@ WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution)
     patches.push_back({ "boundary", boundaryOf.size() });
   }
   FoamRegions regions = regionsOf(grid, faces.cellOf, RegionsAsked::WithCells);
-  return { foamMesh(std::move(faces.points), faces.cells, list, std::move(patches)),
+  return { foamMesh(
+             std::move(faces.points), faces.cells, std::move(list), std::move(patches), execution),
     std::move(regions), known == BoundaryKnowledge::Unfit };
 }
 
@@ -218,7 +219,7 @@ FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)
     throw Error(Fault::BadMesh,
       "A piece of the mesh has no cells, which OpenFOAM does not accept: write fewer pieces.");
   }
-  GridFaces faces(grid);
+  GridFaces faces(grid, execution);
   turnOutward(faces.cells, faces.points.data(), execution);
   FaceList list = listFaces(faces.cells, faces.points.size() / 3, Clashes::Refused, execution);
   std::vector<vtkIdType> boundaryOf;
@@ -235,7 +236,7 @@ FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)
   {
     piece.boundaries.emplace_back(static_cast<std::int32_t>(boundaries[i]), counts[i]);
   }
-  piece.mesh = foamMesh(std::move(faces.points), faces.cells, list, {});
+  piece.mesh = foamMesh(std::move(faces.points), faces.cells, std::move(list), {}, execution);
   return piece;
 }
 

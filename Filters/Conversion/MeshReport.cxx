@@ -91,7 +91,7 @@ public:
       throw Error(
         Fault::BadMesh, "There are no cells to report of, or their quality cannot be measured.");
     }
-    cells_ = facesOfCells(mesh_);
+    cells_ = facesOfCells(mesh_, execution_);
     faces_ = listFaces(cells_, static_cast<std::size_t>(mesh_->GetNumberOfPoints()),
       Clashes::AreBoundary, execution_);
     std::vector<vtkIdType> cellOf(cells_.cellCount());

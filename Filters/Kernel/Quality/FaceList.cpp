@@ -2,7 +2,6 @@
 #include "Quality/FaceList.h"
 
 #include "Base/Error.h"
-#include "Base/RawVector.h"
 #include "Base/Sorting.h"
 #include "Quality/FaceCorners.h"
 
@@ -267,7 +266,7 @@ void turnOutward(CellFaces& cells, const double* points, Execution& execution)
       }
       for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
       {
-        using Difference = std::vector<std::uint32_t>::difference_type;
+        using Difference = RawVector<std::uint32_t>::difference_type;
         std::reverse(cells.corners.begin() + static_cast<Difference>(cells.firstCorner[f]),
           cells.corners.begin() + static_cast<Difference>(cells.firstCorner[f + 1]));
       }
@@ -383,12 +382,14 @@ std::vector<std::size_t> sortByPatch(
   }
   std::vector<std::size_t> next = count;
   scan(next);
-  const FaceList before = list;
+  const auto outer = static_cast<std::ptrdiff_t>(inner);
+  const std::vector<std::uint32_t> face(list.face.begin() + outer, list.face.end());
+  const std::vector<std::uint32_t> owner(list.owner.begin() + outer, list.owner.end());
   for (std::size_t i = 0; i < patch.size(); ++i)
   {
     const std::size_t to = inner + next[patch[i]]++;
-    list.face[to] = before.face[inner + i];
-    list.owner[to] = before.owner[inner + i];
+    list.face[to] = face[i];
+    list.owner[to] = owner[i];
   }
   return count;
 }
