@@ -122,9 +122,14 @@ SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundary
     }
     cellsBefore_ += block.surface->GetNumberOfCells();
   }
-  for (const std::int32_t boundary : std::set<std::int32_t>(boundary_.begin(), boundary_.end()))
+  for (std::size_t t = 0; t < boundary_.size(); ++t)
   {
-    names_.emplace(boundary, unnamedBoundary(boundary));
+    const std::int32_t boundary = boundary_[t];
+    const bool isNext = t == 0 || boundary != boundary_[t - 1];
+    if (isNext && names_.count(boundary) == 0)
+    {
+      names_.emplace(boundary, unnamedBoundary(boundary));
+    }
   }
 }
 
