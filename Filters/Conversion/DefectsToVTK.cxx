@@ -84,10 +84,12 @@ public:
     const std::vector<Place> lines = placesOf(false);
     const std::vector<Place> polygons = placesOf(true);
     vtkCellData* const data = output->GetCellData();
+    const auto count = static_cast<vtkIdType>(lines.size() + polygons.size());
     for (vtkAbstractArray* const array :
       std::initializer_list<vtkAbstractArray*>{ kind_, name_, cell_, other_, width_, volume_ })
     {
-      array->SetNumberOfTuples(static_cast<vtkIdType>(lines.size() + polygons.size()));
+      array->Allocate(count + count / 8); // cells of the mesh follow
+      array->SetNumberOfTuples(count);
       array == kind_ ? data->SetScalars(kind_) : data->AddArray(array);
     }
     describe(lines, 0, execution);

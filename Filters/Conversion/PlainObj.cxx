@@ -40,7 +40,7 @@ struct ObjLines
   vtkIdType lastPoint = -1; // of the corners
 };
 
-// The words of a line, one after the other.
+// The words of a line, in order.
 class LineWords
 {
 public:
