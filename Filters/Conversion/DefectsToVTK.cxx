@@ -84,7 +84,8 @@ public:
     const std::vector<Place> lines = placesOf(false);
     const std::vector<Place> polygons = placesOf(true);
     vtkCellData* const data = output->GetCellData();
-    const auto count = static_cast<vtkIdType>(lines.size() + polygons.size());
+    const std::size_t cells = lines.size() + polygons.size();
+    const auto count = static_cast<vtkIdType>(cells);
     for (vtkAbstractArray* const array :
       std::initializer_list<vtkAbstractArray*>{ kind_, name_, cell_, other_, width_, volume_ })
     {
@@ -93,7 +94,7 @@ public:
       array == kind_ ? data->SetScalars(kind_) : data->AddArray(array);
     }
     describe(lines, 0, execution);
-    describe(polygons, lines.size(), execution);
+    describe(polygons, static_cast<vtkIdType>(lines.size()), execution);
     output->SetPoints(points(execution));
     output->SetLines(cellsOf(lines, execution));
     output->SetPolys(cellsOf(polygons, execution));
@@ -147,7 +148,8 @@ private:
     const vtkIdType size = places.empty() ? 0 : places.back().corner + places.back().defect->size;
     vtkNew<vtkIdTypeArray> offsets;
     vtkNew<vtkIdTypeArray> corners;
-    offsets->SetNumberOfValues(static_cast<vtkIdType>(places.size() + 1));
+    const auto count = static_cast<vtkIdType>(places.size());
+    offsets->SetNumberOfValues(count + 1);
     corners->SetNumberOfValues(size);
     execution.forEach(places.size(), DefectsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
@@ -158,20 +160,20 @@ private:
         std::iota(first, first + place.defect->size, place.point);
       }
     });
-    offsets->SetValue(static_cast<vtkIdType>(places.size()), size);
+    offsets->SetValue(count, size);
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     cells->SetData(offsets, corners);
     return cells;
   }
 
   // Cells from `first` on.
-  void describe(const std::vector<Place>& places, std::size_t first, Execution& execution)
+  void describe(const std::vector<Place>& places, vtkIdType first, Execution& execution)
   {
     execution.forEach(places.size(), DefectsAChunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
       {
         const Defect& defect = *places[i].defect;
-        const auto at = static_cast<vtkIdType>(first + i);
+        const vtkIdType at = first + static_cast<vtkIdType>(i);
         kind_->SetValue(at, static_cast<int>(defect.kind));
         name_->GetValue(at) = nameOf(defect.kind);
         const vtkIdType cell = cellOf(defect.triangle);

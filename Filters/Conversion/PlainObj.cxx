@@ -237,10 +237,10 @@ bool readPlainObj(const char* file, vtkPolyData* surface, Execution& execution)
     const ObjPlace& at = places[i];
     std::copy(part.points.begin(), part.points.end(), xyz + at.point);
     std::copy(part.corners.begin(), part.corners.end(), corners->GetPointer(0) + at.corner);
+    auto face = static_cast<vtkIdType>(at.face);
     auto offset = static_cast<vtkIdType>(at.corner);
-    for (std::size_t f = 0; f < part.sizes.size(); ++f)
+    for (std::size_t f = 0; f < part.sizes.size(); ++f, ++face)
     {
-      const auto face = static_cast<vtkIdType>(at.face + f);
       offsets->SetValue(face, offset);
       offset += part.sizes[f];
       groups->SetValue(face, static_cast<float>(at.group + part.groups[f] - first));
