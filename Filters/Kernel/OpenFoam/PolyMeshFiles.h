@@ -39,7 +39,7 @@ struct FoamMesh
 {
   std::vector<double> points;           // three coordinates each; each point belongs to a face
   std::vector<std::size_t> start;       // of each face in `corners`, and the end
-  std::vector<std::uint32_t> corners;   // points in order around the face, from outside its owner
+  RawVector<std::uint32_t> corners;     // points in order around the face, from outside its owner
   std::vector<std::uint32_t> owner;     // of each face: inner ones first, then those of the patches
   std::vector<std::uint32_t> neighbour; // of inner faces
   std::size_t cellCount;
