@@ -487,13 +487,13 @@ void vtkCartesianGridAlgorithm::Inspect(const cartesian::PreparedSurface& prepar
   {
     // Triangles between regions are others than the user's: what was closed is listed with those.
     cartesian::toVTK(cartesian::listContacts(prepared.contacts, prepared.surface.lattice),
-      surface.cells(), defects);
+      surface.cells(), defects, execution);
     return;
   }
   const cartesian::SurfaceDefects found = cartesian::findDefects(
     prepared.inspected(), prepared.trianglesGiven(), prepared.repair, prepared.planes, execution);
   const std::vector<vtkIdType> cells = cartesian::cellsOf(prepared.inspected(), surface.cells());
-  cartesian::toVTK(found, cells, defects);
+  cartesian::toVTK(found, cells, defects, execution);
   this->Warn(cartesian::describe(found, cells));
 }
 

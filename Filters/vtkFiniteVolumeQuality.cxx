@@ -151,7 +151,7 @@ int vtkFiniteVolumeQuality::RequestData(
   const cartesian::QualityLimits limits = LimitsOf(*this);
   this->Run(0, 1, [&](cartesian::Execution& execution) {
     execution.stage("Faces", 0, 0.5);
-    const cartesian::CellFaces cells = cartesian::facesOfCells(grid);
+    const cartesian::CellFaces cells = cartesian::facesOfCells(grid, execution);
     const cartesian::FaceList list =
       cartesian::listFaces(cells, static_cast<std::size_t>(grid->GetNumberOfPoints()),
         cartesian::Clashes::AreBoundary, execution);

@@ -3,6 +3,7 @@
 
 #include "Base/Error.h"
 #include "BoundaryNames.h"
+#include "PlainObj.h"
 #include "ReportErrors.h"
 #include "SurfaceFromVTK.h"
 
@@ -16,8 +17,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace
@@ -30,6 +32,19 @@ struct Groups
   std::vector<int> ofFace; // index of its name
 };
 
+// The first word of a line, and what follows.
+std::pair<std::string_view, std::string_view> Parted(std::string_view line)
+{
+  constexpr std::string_view space = " \t\r\v\f";
+  const auto trimmed = [&](std::string_view words) {
+    const std::size_t begin = std::min(words.find_first_not_of(space), words.size());
+    return words.substr(begin, words.find_last_not_of(space) + 1 - begin);
+  };
+  const std::string_view words = trimmed(line);
+  const std::size_t end = std::min(words.find_first_of(space), words.size());
+  return { words.substr(0, end), trimmed(words.substr(end)) };
+}
+
 // Of lines with this keyword, g or o. Stops after `most` groups.
 Groups ReadParts(const char* file, std::size_t most, const std::string& part)
 {
@@ -40,14 +55,9 @@ Groups ReadParts(const char* file, std::size_t most, const std::string& part)
   bool isNew = true;
   while (std::getline(stream, line))
   {
-    std::istringstream words(line);
-    std::string keyword;
-    words >> keyword >> std::ws;
+    const auto [keyword, next] = Parted(line);
     if (keyword == part)
     {
-      std::string next;
-      std::getline(words, next);
-      next.erase(next.find_last_not_of(" \t\r") + 1);
       isNew = isNew || next != name;
       name = next;
     }
@@ -117,7 +127,9 @@ int vtkNamedOBJReader::CanReadFile(const char* name)
 int vtkNamedOBJReader::RequestData(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  if (!this->Superclass::RequestData(request, input, output))
+  cartesian::Execution execution(cartesian::Execution::AllCores);
+  if (!cartesian::readPlainObj(this->GetFileName(), vtkPolyData::GetData(output), execution) &&
+    !this->Superclass::RequestData(request, input, output))
   {
     return 0;
   }

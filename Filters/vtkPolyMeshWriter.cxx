@@ -137,11 +137,12 @@ void WriteMeshes(cartesian::CompletePiece&& piece,
   const std::vector<cartesian::RegionLabels>& regions, double scale,
   cartesian::PolyMeshFiles& files)
 {
+  cartesian::Execution execution(0);
   Enlarge(piece.mesh.points, scale);
   if (regions.empty())
   {
     piece.mesh.zones = cartesian::zonesOf(piece.regions);
-    files.write(piece.mesh);
+    files.write(piece.mesh, {}, execution);
     return;
   }
   const auto count = std::count_if(regions.begin(), regions.end(),
@@ -151,7 +152,7 @@ void WriteMeshes(cartesian::CompletePiece&& piece,
     if (regions[i].cells.size() > 0)
     {
       files.write(cartesian::pieceOfRegion(piece, i, regions[i]),
-        count == 1 ? std::string() : piece.regions.names[i]);
+        count == 1 ? std::string() : piece.regions.names[i], execution);
     }
   }
 }
@@ -368,6 +369,7 @@ void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
   cartesian::PolyMeshFiles files(file.parent_path(), FormatOf(this->FileType));
   Enlarge(whole.mesh.points, this->Scale);
   const cartesian::FoamRegions& regions = whole.regions;
+  cartesian::Execution execution(0);
   if (regions.names.empty() && !this->ZoneRegions.empty())
   {
     throw cartesian::Error(cartesian::Fault::BadParameter,
@@ -375,7 +377,7 @@ void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
   }
   if (regions.names.empty())
   {
-    files.write(whole.mesh);
+    files.write(whole.mesh, {}, execution);
   }
   else
   {
@@ -388,7 +390,7 @@ void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
     for (const std::uint32_t region : meshes)
     {
       files.write(cartesian::meshOfRegion(whole.mesh, regions, zoning, region),
-        meshes.size() == 1 ? std::string() : regions.names[region]);
+        meshes.size() == 1 ? std::string() : regions.names[region], execution);
     }
   }
   auto* const grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());

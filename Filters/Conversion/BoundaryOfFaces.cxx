@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundaryOfFaces.h"
 
+#include "Base/Sorting.h"
 #include "Cells/Cells.h"
 
 #include "vtkCellArray.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 namespace cartesian
 {
@@ -136,46 +138,69 @@ vtkIdTypeArray* rowsOf(vtkUnstructuredGrid* grid)
   return rows && rows->GetNumberOfComponents() == 3 ? rows : nullptr;
 }
 
-// Finds the rows of BoundaryOfFaces by cell and face, each once.
+// The rows of BoundaryOfFaces of a grid, and its cells' numbers there.
 class Rows
 {
 public:
-  explicit Rows(vtkIdTypeArray* rows)
-    : rows_(rows)
-    , found_(static_cast<std::size_t>(rows->GetNumberOfTuples()), false)
+  Rows(vtkIdTypeArray* rows, vtkIdTypeArray* ids, const CellFaces& cells,
+    const std::vector<vtkIdType>& cellOf)
+    : rows_(rows->GetPointer(0))
+    , count_(static_cast<std::size_t>(rows->GetNumberOfTuples()))
+    , ids_(ids->GetPointer(0))
+    , cells_(cells)
+    , cellOf_(cellOf)
   {
   }
 
-  // The row, or -1. Sets `again` if it was found before.
-  vtkIdType find(vtkIdType cell, vtkIdType face, bool& again)
+  std::size_t count() const { return count_; }
+
+  // The row of a face of a cell, or count().
+  std::size_t find(std::uint32_t cell, std::size_t face) const
   {
-    vtkIdType low = 0;
-    vtkIdType high = rows_->GetNumberOfTuples();
+    const vtkIdType id = ids_[cellOf_[cell]];
+    const auto ofCell = static_cast<vtkIdType>(face - cells_.firstFace[cell]);
+    std::size_t low = 0;
+    std::size_t high = count_;
     while (low < high)
     {
-      const vtkIdType middle = low + (high - low) / 2;
+      const std::size_t middle = low + (high - low) / 2;
       const bool before =
-        get(middle, CellOf) != cell ? get(middle, CellOf) < cell : get(middle, FaceOf) < face;
+        get(middle, CellOf) != id ? get(middle, CellOf) < id : get(middle, FaceOf) < ofCell;
       (before ? low : high) = before ? middle + 1 : middle;
     }
-    if (low == rows_->GetNumberOfTuples() || get(low, CellOf) != cell || get(low, FaceOf) != face)
-    {
-      return -1;
-    }
-    again = found_[static_cast<std::size_t>(low)];
-    found_[static_cast<std::size_t>(low)] = true;
-    return low;
+    return low < count_ && get(low, CellOf) == id && get(low, FaceOf) == ofCell ? low : count_;
   }
 
-  vtkIdType get(vtkIdType row, int component) const
+  vtkIdType get(std::size_t row, int component) const
   {
-    return rows_->GetTypedComponent(row, component);
+    return rows_[3 * row + static_cast<std::size_t>(component)];
   }
 
 private:
-  vtkIdTypeArray* rows_;
-  std::vector<bool> found_;
+  const vtkIdType* rows_;
+  std::size_t count_;
+  const vtkIdType* ids_;
+  const CellFaces& cells_;
+  const std::vector<vtkIdType>& cellOf_;
 };
+
+// Inner faces that have rows.
+std::vector<std::size_t> facesOfBaffles(
+  const FaceList& list, const Rows& rows, Execution& execution)
+{
+  const std::size_t inner = list.neighbour.size();
+  std::vector<std::vector<std::size_t>> found(chunks(inner, FacesAChunk));
+  execution.forEach(inner, FacesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      if (rows.find(list.owner[i], list.face[i]) < rows.count())
+      {
+        found[begin / FacesAChunk].push_back(i);
+      }
+    }
+  });
+  return concatenated(found);
+}
 
 }
 
@@ -198,7 +223,8 @@ void setBoundaryOfFaces(vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execut
 }
 
 BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const CellFaces& cells,
-  const std::vector<vtkIdType>& cellOf, FaceList& list, std::vector<vtkIdType>& boundary)
+  const std::vector<vtkIdType>& cellOf, FaceList& list, std::vector<vtkIdType>& boundary,
+  Execution& execution)
 {
   boundary.assign(list.face.size() - list.neighbour.size(), UnknownBoundary);
   vtkIdTypeArray* ids = cellIdsOf(grid);
@@ -207,43 +233,38 @@ BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const CellFaces
   {
     return BoundaryKnowledge::Nothing;
   }
-  const auto find = [&](Rows& rows, std::uint32_t cell, std::size_t face, bool& again) {
-    return rows.find(
-      ids->GetValue(cellOf[cell]), static_cast<vtkIdType>(face - cells.firstFace[cell]), again);
-  };
-  std::vector<std::size_t> baffles;
-  Rows tried(array);
-  for (std::size_t i = 0; i < list.neighbour.size(); ++i)
+  const Rows rows(array, ids, cells, cellOf);
+  const std::vector<std::size_t> baffles = facesOfBaffles(list, rows, execution);
+  const bool fit = std::all_of(baffles.begin(), baffles.end(), [&](std::size_t i) {
+    const std::size_t beyond = faceBeyond(cells, list.face[i], list.neighbour[i]);
+    return rows.find(list.neighbour[i], beyond) < rows.count();
+  });
+  if (!fit)
   {
-    bool again = false;
-    if (find(tried, list.owner[i], list.face[i], again) >= 0)
-    {
-      const std::size_t beyond = faceBeyond(cells, list.face[i], list.neighbour[i]);
-      if (find(tried, list.neighbour[i], beyond, again) < 0)
-      {
-        return BoundaryKnowledge::Unfit;
-      }
-      baffles.push_back(i);
-    }
+    return BoundaryKnowledge::Unfit;
   }
   openFaces(cells, baffles, list);
   const std::size_t inner = list.neighbour.size();
-  boundary.assign(list.face.size() - inner, UnknownBoundary);
-  Rows rows(array);
-  for (std::size_t i = inner; i < list.face.size(); ++i)
-  {
-    bool again = false;
-    const vtkIdType row = find(rows, list.owner[i], list.face[i], again);
-    if (again)
+  const std::size_t outer = list.face.size() - inner;
+  boundary.assign(outer, UnknownBoundary);
+  std::vector<std::atomic<bool>> isFound(rows.count());
+  std::atomic<bool> isAnyTwice{ false };
+  execution.forEach(outer, FacesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
     {
-      return BoundaryKnowledge::Unfit;
+      const std::size_t row = rows.find(list.owner[inner + i], list.face[inner + i]);
+      if (row == rows.count())
+      {
+        continue;
+      }
+      boundary[i] = rows.get(row, BoundaryOf);
+      if (isFound[row].exchange(true, std::memory_order_relaxed))
+      {
+        isAnyTwice.store(true, std::memory_order_relaxed);
+      }
     }
-    if (row >= 0)
-    {
-      boundary[i - inner] = rows.get(row, BoundaryOf);
-    }
-  }
-  return BoundaryKnowledge::All;
+  });
+  return isAnyTwice ? BoundaryKnowledge::Unfit : BoundaryKnowledge::All;
 }
 
 std::map<vtkIdType, std::string> readBoundaryTexts(vtkUnstructuredGrid* grid, const char* name)

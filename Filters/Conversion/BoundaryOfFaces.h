@@ -39,7 +39,8 @@ constexpr vtkIdType UnknownBoundary = NoBoundary - 1;
 // Gives the boundary of each boundary face of `list`, or UnknownBoundary. Faces of baffles are boundary faces of both
 // their cells then. `cellOf`: the number in the grid of each of the `cells`.
 BoundaryKnowledge readBoundaryOfFaces(vtkUnstructuredGrid* grid, const CellFaces& cells,
-  const std::vector<vtkIdType>& cellOf, FaceList& list, std::vector<vtkIdType>& boundary);
+  const std::vector<vtkIdType>& cellOf, FaceList& list, std::vector<vtkIdType>& boundary,
+  Execution& execution);
 
 // The strings of the field data array `name` (BoundaryNames, BoundaryTypes), by the numbers in BoundaryIds
 // (if that is missing: 0, 1, 2, ...).

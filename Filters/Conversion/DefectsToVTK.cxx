@@ -15,12 +15,14 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace cartesian
@@ -43,6 +45,8 @@ constexpr std::array<std::pair<DefectKind, const char*>, 12> CountNames = { {
   { DefectKind::Leak, "Leaks" },
   { DefectKind::ClosedContact, "TrianglesOfClosedContacts" },
 } };
+
+constexpr std::size_t DefectsAChunk = 1 << 12;
 
 constexpr const char* CellsLeftOut = "CellsLeftOut";
 constexpr const char* FailingCells = "FailingCells";
@@ -74,55 +78,113 @@ public:
     volume_->SetName("Volume");
   }
 
-  void write(vtkPolyData* output)
+  void write(vtkPolyData* output, Execution& execution)
   {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (const Vector& p : defects_.points)
-    {
-      points->InsertNextPoint(p.data());
-    }
     // VTK numbers the lines of a vtkPolyData before its polygons.
-    vtkNew<vtkCellArray> lines;
-    vtkNew<vtkCellArray> polygons;
-    writeCells(false, lines);
-    writeCells(true, polygons);
-    output->SetPoints(points);
-    output->SetLines(lines);
-    output->SetPolys(polygons);
-    output->GetCellData()->SetScalars(kind_);
-    output->GetCellData()->AddArray(name_);
-    output->GetCellData()->AddArray(cell_);
-    output->GetCellData()->AddArray(other_);
-    output->GetCellData()->AddArray(width_);
-    output->GetCellData()->AddArray(volume_);
+    const std::vector<Place> lines = placesOf(false);
+    const std::vector<Place> polygons = placesOf(true);
+    vtkCellData* const data = output->GetCellData();
+    const std::size_t cells = lines.size() + polygons.size();
+    const auto count = static_cast<vtkIdType>(cells);
+    for (vtkAbstractArray* const array :
+      std::initializer_list<vtkAbstractArray*>{ kind_, name_, cell_, other_, width_, volume_ })
+    {
+      array->Allocate(count + count / 8); // cells of the mesh follow
+      array->SetNumberOfTuples(count);
+      array == kind_ ? data->SetScalars(kind_) : data->AddArray(array);
+    }
+    describe(lines, 0, execution);
+    describe(polygons, static_cast<vtkIdType>(lines.size()), execution);
+    output->SetPoints(points(execution));
+    output->SetLines(cellsOf(lines, execution));
+    output->SetPolys(cellsOf(polygons, execution));
   }
 
 private:
-  void writeCells(bool polygons, vtkCellArray* cells)
+  // Of a cell.
+  struct Place
   {
+    const Defect* defect;
+    vtkIdType point; // the first
+    vtkIdType corner;
+  };
+
+  std::vector<Place> placesOf(bool polygons) const
+  {
+    std::vector<Place> places;
     vtkIdType point = 0;
+    vtkIdType corner = 0;
     for (const Defect& defect : defects_.defects)
     {
       if (defect.polygon == polygons)
       {
-        cells->InsertNextCell(static_cast<int>(defect.size));
-        for (std::uint32_t i = 0; i < defect.size; ++i)
-        {
-          cells->InsertCellPoint(point + i);
-        }
-        kind_->InsertNextValue(static_cast<int>(defect.kind));
-        name_->InsertNextValue(nameOf(defect.kind));
-        const vtkIdType cell = cellOf(defect.triangle);
-        const vtkIdType other = cellOf(defect.other);
-        const bool swaps = other >= 0 && other < cell; // of a pair the lower comes first
-        cell_->InsertNextValue(swaps ? other : cell);
-        other_->InsertNextValue(swaps ? cell : other);
-        width_->InsertNextValue(defect.width);
-        volume_->InsertNextValue(0);
+        places.push_back({ &defect, point, corner });
+        corner += defect.size;
       }
       point += defect.size;
     }
+    return places;
+  }
+
+  vtkSmartPointer<vtkPoints> points(Execution& execution) const
+  {
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetDataTypeToDouble();
+    points->SetNumberOfPoints(static_cast<vtkIdType>(defects_.points.size()));
+    auto* const xyz = static_cast<double*>(points->GetVoidPointer(0));
+    execution.forEach(
+      defects_.points.size(), DefectsAChunk, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p)
+        {
+          std::copy(defects_.points[p].begin(), defects_.points[p].end(), xyz + 3 * p);
+        }
+      });
+    return points;
+  }
+
+  static vtkSmartPointer<vtkCellArray> cellsOf(
+    const std::vector<Place>& places, Execution& execution)
+  {
+    const vtkIdType size = places.empty() ? 0 : places.back().corner + places.back().defect->size;
+    vtkNew<vtkIdTypeArray> offsets;
+    vtkNew<vtkIdTypeArray> corners;
+    const auto count = static_cast<vtkIdType>(places.size());
+    offsets->SetNumberOfValues(count + 1);
+    corners->SetNumberOfValues(size);
+    execution.forEach(places.size(), DefectsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Place& place = places[i];
+        offsets->SetValue(static_cast<vtkIdType>(i), place.corner);
+        vtkIdType* const first = corners->GetPointer(place.corner);
+        std::iota(first, first + place.defect->size, place.point);
+      }
+    });
+    offsets->SetValue(count, size);
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    cells->SetData(offsets, corners);
+    return cells;
+  }
+
+  // Cells from `first` on.
+  void describe(const std::vector<Place>& places, vtkIdType first, Execution& execution)
+  {
+    execution.forEach(places.size(), DefectsAChunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Defect& defect = *places[i].defect;
+        const vtkIdType at = first + static_cast<vtkIdType>(i);
+        kind_->SetValue(at, static_cast<int>(defect.kind));
+        name_->GetValue(at) = nameOf(defect.kind);
+        const vtkIdType cell = cellOf(defect.triangle);
+        const vtkIdType other = cellOf(defect.other);
+        const bool swaps = other >= 0 && other < cell; // of a pair the lower comes first
+        cell_->SetValue(at, swaps ? other : cell);
+        other_->SetValue(at, swaps ? cell : other);
+        width_->SetValue(at, defect.width);
+        volume_->SetValue(at, 0);
+      }
+    });
   }
 
   vtkIdType cellOf(std::uint32_t triangle) const
@@ -231,17 +293,18 @@ bool isToAdd(std::size_t count, vtkPolyData* output)
   const bool isThere = output->GetCellData()->HasArray("DefectKind") != 0;
   if (!isThere && count > 0)
   {
-    toVTK({}, {}, output);
+    Execution alone;
+    toVTK({}, {}, output, alone);
   }
   return isThere || count > 0;
 }
 
 }
 
-void toVTK(
-  const SurfaceDefects& defects, const std::vector<vtkIdType>& surfaceCells, vtkPolyData* output)
+void toVTK(const SurfaceDefects& defects, const std::vector<vtkIdType>& surfaceCells,
+  vtkPolyData* output, Execution& execution)
 {
-  DefectWriter(defects, surfaceCells).write(output);
+  DefectWriter(defects, surfaceCells).write(output, execution);
   for (const auto& [kind, name] : CountNames)
   {
     setField(output, name, { static_cast<double>(defects.counts[static_cast<std::size_t>(kind)]) });

@@ -19,8 +19,8 @@ namespace cartesian
 {
 
 // `surfaceCells`: the cell of each triangle of the surface (SurfaceFromVTK).
-void toVTK(
-  const SurfaceDefects& defects, const std::vector<vtkIdType>& surfaceCells, vtkPolyData* output);
+void toVTK(const SurfaceDefects& defects, const std::vector<vtkIdType>& surfaceCells,
+  vtkPolyData* output, Execution& execution);
 
 // What was repaired, as numbers in field data: TrianglesTurned, DuplicatesLeftOut, LooseTrianglesLeftOut,
 // HolesClosed, LeaksClosed; each only if it is not 0.

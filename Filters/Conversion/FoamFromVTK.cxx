@@ -179,10 +179,10 @@ std::vector<std::int32_t> pointNumbers(vtkUnstructuredGrid* grid, const GridFace
 
 // Faces that were not in the mesh's boundary have none.
 BoundaryKnowledge readBoundaries(vtkUnstructuredGrid* grid, const GridFaces& faces, FaceList& list,
-  std::vector<vtkIdType>& boundary)
+  std::vector<vtkIdType>& boundary, Execution& execution)
 {
   const BoundaryKnowledge known =
-    readBoundaryOfFaces(grid, faces.cells, faces.cellOf, list, boundary);
+    readBoundaryOfFaces(grid, faces.cells, faces.cellOf, list, boundary, execution);
   std::replace(boundary.begin(), boundary.end(), UnknownBoundary, vtkIdType(NoBoundary));
   return known;
 }
@@ -191,11 +191,11 @@ BoundaryKnowledge readBoundaries(vtkUnstructuredGrid* grid, const GridFaces& fac
 
 WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution)
 {
-  GridFaces faces(grid);
+  GridFaces faces(grid, execution);
   turnOutward(faces.cells, faces.points.data(), execution);
   FaceList list = listFaces(faces.cells, faces.points.size() / 3, Clashes::Refused, execution);
   std::vector<vtkIdType> boundaryOf;
-  const BoundaryKnowledge known = readBoundaries(grid, faces, list, boundaryOf);
+  const BoundaryKnowledge known = readBoundaries(grid, faces, list, boundaryOf, execution);
   std::vector<FoamPatch> patches;
   if (known == BoundaryKnowledge::All)
   {
@@ -207,7 +207,8 @@ WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution)
     patches.push_back({ "boundary", boundaryOf.size() });
   }
   FoamRegions regions = regionsOf(grid, faces.cellOf, RegionsAsked::WithCells);
-  return { foamMesh(std::move(faces.points), faces.cells, list, std::move(patches)),
+  return { foamMesh(
+             std::move(faces.points), faces.cells, std::move(list), std::move(patches), execution),
     std::move(regions), known == BoundaryKnowledge::Unfit };
 }
 
@@ -218,11 +219,11 @@ FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)
     throw Error(Fault::BadMesh,
       "A piece of the mesh has no cells, which OpenFOAM does not accept: write fewer pieces.");
   }
-  GridFaces faces(grid);
+  GridFaces faces(grid, execution);
   turnOutward(faces.cells, faces.points.data(), execution);
   FaceList list = listFaces(faces.cells, faces.points.size() / 3, Clashes::Refused, execution);
   std::vector<vtkIdType> boundaryOf;
-  if (readBoundaries(grid, faces, list, boundaryOf) != BoundaryKnowledge::All)
+  if (readBoundaries(grid, faces, list, boundaryOf, execution) != BoundaryKnowledge::All)
   {
     throw Error(Fault::BadMesh,
       "Cells were changed after meshing: to write a decomposed case, save the output of Cartesian "
@@ -235,7 +236,7 @@ FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)
   {
     piece.boundaries.emplace_back(static_cast<std::int32_t>(boundaries[i]), counts[i]);
   }
-  piece.mesh = foamMesh(std::move(faces.points), faces.cells, list, {});
+  piece.mesh = foamMesh(std::move(faces.points), faces.cells, std::move(list), {}, execution);
   return piece;
 }
 

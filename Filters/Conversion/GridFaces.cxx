@@ -2,6 +2,7 @@
 #include "GridFaces.h"
 
 #include "Base/Error.h"
+#include "Base/Sorting.h"
 #include "BoundaryOfFaces.h"
 #include "PolyhedronStorage.h"
 
@@ -16,6 +17,9 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <exception>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -121,19 +125,8 @@ void checkPoints(vtkUnstructuredGrid* grid)
   }
 }
 
-std::vector<vtkIdType> cellsInOrder(vtkUnstructuredGrid* grid)
-{
-  std::vector<vtkIdType> cells(static_cast<std::size_t>(grid->GetNumberOfCells()));
-  std::iota(cells.begin(), cells.end(), vtkIdType(0));
-  if (auto* ids = vtkIdTypeArray::SafeDownCast(grid->GetCellData()->GetAbstractArray(CellId)))
-  {
-    std::stable_sort(cells.begin(), cells.end(),
-      [ids](vtkIdType a, vtkIdType b) { return ids->GetValue(a) < ids->GetValue(b); });
-  }
-  return cells;
-}
-
 constexpr std::size_t CellsAChunk = 1024;
+constexpr std::size_t PointsAChunk = 1 << 14;
 
 // Appends a cell as CellFaceReader gives it; null: a cell without faces.
 void append(const vtkIdType* stream, CellFaces& cells)
@@ -149,13 +142,7 @@ void append(const vtkIdType* stream, CellFaces& cells)
   }
 }
 
-void finish(CellFaces& cells)
-{
-  cells.firstFace.push_back(cells.firstCorner.size());
-  cells.firstCorner.push_back(cells.corners.size());
-}
-
-// Of parts that are not finished, and are emptied.
+// Of parts without their ends, which are emptied.
 CellFaces joined(std::vector<CellFaces>& parts, Execution& execution)
 {
   struct Place
@@ -172,9 +159,11 @@ CellFaces joined(std::vector<CellFaces>& parts, Execution& execution)
       last.corner + part.corners.size() });
   }
   CellFaces all;
-  all.firstFace.resize(places.back().cell);
-  all.firstCorner.resize(places.back().face);
+  all.firstFace.resize(places.back().cell + 1);
+  all.firstCorner.resize(places.back().face + 1);
   all.corners.resize(places.back().corner);
+  all.firstFace.back() = places.back().face;
+  all.firstCorner.back() = places.back().corner;
   execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) {
     const CellFaces part = std::move(parts[i]);
     const Place& at = places[i];
@@ -184,95 +173,175 @@ CellFaces joined(std::vector<CellFaces>& parts, Execution& execution)
       all.firstCorner.data() + at.face, [&](std::size_t corner) { return corner + at.corner; });
     std::copy(part.corners.begin(), part.corners.end(), all.corners.data() + at.corner);
   });
-  finish(all);
   return all;
 }
 
+// Calls readCell(reader, i, part) for each of `count` cells. Of several errors, throws that of the first cell.
+template <class ReadCell>
+std::vector<CellFaces> readParts(
+  vtkUnstructuredGrid* grid, std::size_t count, ReadCell&& readCell, Execution& execution)
+{
+  std::vector<CellFaces> parts(chunks(count, CellsAChunk));
+  std::vector<std::exception_ptr> failures(parts.size());
+  execution.forEach(count, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    try
+    {
+      CellFaceReader reader(grid);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        readCell(reader, i, parts[begin / CellsAChunk]);
+      }
+    }
+    catch (const Error&)
+    {
+      failures[begin / CellsAChunk] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& failure : failures)
+  {
+    if (failure)
+    {
+      std::rethrow_exception(failure);
+    }
+  }
+  return parts;
 }
 
-CellFaces facesOfCells(vtkUnstructuredGrid* grid)
+// By their CellId, if they have one.
+std::vector<vtkIdType> cellsInOrder(vtkUnstructuredGrid* grid, Execution& execution)
 {
-  checkPoints(grid);
-  CellFaces cells;
-  CellFaceReader reader(grid);
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
-  {
-    append(reader.read(c), cells);
-  }
-  finish(cells);
+  const auto count = static_cast<std::size_t>(grid->GetNumberOfCells());
+  auto* ids = vtkIdTypeArray::SafeDownCast(grid->GetCellData()->GetAbstractArray(CellId));
+  RawVector<std::array<vtkIdType, 2>> rows(count); // id and place
+  execution.forEach(count, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      const auto place = static_cast<vtkIdType>(c);
+      rows[c] = { ids ? ids->GetValue(place) : place, place };
+    }
+  });
+  sortAll(rows, execution);
+  std::vector<vtkIdType> cells(count);
+  execution.forEach(count, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      cells[c] = rows[c][1];
+    }
+  });
   return cells;
+}
+
+// Of points, those that cells use, in order. `number` receives the place of each of these.
+std::vector<vtkIdType> usedPoints(
+  const CellFaces& cells, RawVector<std::uint32_t>& number, Execution& execution)
+{
+  std::vector<std::atomic<bool>> isUsed(number.size());
+  execution.forEach(cells.corners.size(), PointsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      isUsed[cells.corners[i]].store(true, std::memory_order_relaxed);
+    }
+  });
+  std::vector<std::vector<vtkIdType>> parts(chunks(number.size(), PointsAChunk));
+  execution.forEach(number.size(), PointsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p)
+    {
+      if (isUsed[p].load(std::memory_order_relaxed))
+      {
+        parts[begin / PointsAChunk].push_back(static_cast<vtkIdType>(p));
+      }
+    }
+  });
+  std::vector<vtkIdType> used = concatenated(parts);
+  execution.forEach(used.size(), PointsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      number[static_cast<std::size_t>(used[i])] = static_cast<std::uint32_t>(i);
+    }
+  });
+  return used;
+}
+
 }
 
 CellFaces facesOfCells(
   vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& which, Execution& execution)
 {
   checkPoints(grid);
-  std::vector<CellFaces> parts(chunks(which.size(), CellsAChunk));
-  execution.forEach(which.size(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
-    CellFaceReader reader(grid);
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      append(reader.read(which[i]), parts[begin / CellsAChunk]);
-    }
-  });
+  std::vector<CellFaces> parts = readParts(
+    grid, which.size(),
+    [&](CellFaceReader& reader, std::size_t i, CellFaces& part) {
+      append(reader.read(which[i]), part);
+    },
+    execution);
   return joined(parts, execution);
 }
 
-GridFaces::GridFaces(vtkUnstructuredGrid* grid)
+CellFaces facesOfCells(vtkUnstructuredGrid* grid, Execution& execution)
+{
+  std::vector<vtkIdType> all(static_cast<std::size_t>(grid->GetNumberOfCells()));
+  std::iota(all.begin(), all.end(), vtkIdType(0));
+  return facesOfCells(grid, all, execution);
+}
+
+GridFaces::GridFaces(vtkUnstructuredGrid* grid, Execution& execution)
 {
   checkPoints(grid);
   if (grid->GetNumberOfCells() > 0) // else there may be no arrays, as where a filter has failed
   {
-    readCells(grid);
+    readCells(grid, execution);
   }
   if (cellOf.empty())
   {
     throw Error(
       Fault::BadMesh, "There are no cells with a volume to write: connect a volume mesh.");
   }
-  readPoints(grid);
+  readPoints(grid, execution);
 }
 
-void GridFaces::readCells(vtkUnstructuredGrid* grid)
+void GridFaces::readCells(vtkUnstructuredGrid* grid, Execution& execution)
 {
   constexpr unsigned char leftOut =
     vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
   vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
-  CellFaceReader reader(grid);
-  for (const vtkIdType c : cellsInOrder(grid))
-  {
-    const vtkIdType* stream =
-      ghosts && (ghosts->GetValue(c) & leftOut) != 0 ? nullptr : reader.read(c);
-    if (stream)
-    {
-      cellOf.push_back(c);
-      append(stream, cells);
-    }
-  }
-  finish(cells);
+  const std::vector<vtkIdType> all = cellsInOrder(grid, execution);
+  std::vector<std::vector<vtkIdType>> kept(chunks(all.size(), CellsAChunk));
+  std::vector<CellFaces> parts = readParts(
+    grid, all.size(),
+    [&](CellFaceReader& reader, std::size_t i, CellFaces& part) {
+      const vtkIdType c = all[i];
+      const vtkIdType* stream =
+        ghosts && (ghosts->GetValue(c) & leftOut) != 0 ? nullptr : reader.read(c);
+      if (stream)
+      {
+        kept[i / CellsAChunk].push_back(c);
+        append(stream, part);
+      }
+    },
+    execution);
+  cellOf = concatenated(kept);
+  cells = joined(parts, execution);
 }
 
-void GridFaces::readPoints(vtkUnstructuredGrid* grid)
+void GridFaces::readPoints(vtkUnstructuredGrid* grid, Execution& execution)
 {
-  std::vector<std::uint32_t> number(static_cast<std::size_t>(grid->GetNumberOfPoints()));
-  for (const std::uint32_t point : cells.corners)
-  {
-    number[point] = 1;
-  }
-  for (std::size_t p = 0; p < number.size(); ++p)
-  {
-    if (number[p] != 0)
+  RawVector<std::uint32_t> number(static_cast<std::size_t>(grid->GetNumberOfPoints()));
+  pointOf = usedPoints(cells, number, execution);
+  std::vector<double> copy;
+  const double* const all = coordinatesOf(grid, copy);
+  points.resize(3 * pointOf.size());
+  execution.forEach(pointOf.size(), PointsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
     {
-      number[p] = static_cast<std::uint32_t>(pointOf.size());
-      pointOf.push_back(static_cast<vtkIdType>(p));
-      points.resize(points.size() + 3);
-      grid->GetPoint(static_cast<vtkIdType>(p), points.data() + points.size() - 3);
+      std::copy_n(all + 3 * pointOf[i], 3, points.data() + 3 * i);
     }
-  }
-  for (std::uint32_t& point : cells.corners)
-  {
-    point = number[point];
-  }
+  });
+  execution.forEach(cells.corners.size(), PointsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      cells.corners[i] = number[cells.corners[i]];
+    }
+  });
 }
 
 }

@@ -40,7 +40,7 @@ private:
 
 // The faces of all cells, with the numbers that cells and points have in the grid. Cells without a volume
 // have no faces. Throws Error (BadMesh): a cell with curved edges, too many points.
-CellFaces facesOfCells(vtkUnstructuredGrid* grid);
+CellFaces facesOfCells(vtkUnstructuredGrid* grid, Execution& execution);
 
 // Of some of them, in this order.
 CellFaces facesOfCells(
@@ -57,11 +57,11 @@ struct GridFaces
   std::vector<vtkIdType> pointOf; // the same of each point
 
   // Throws Error (BadMesh): a cell with curved edges, no cells, or too many.
-  explicit GridFaces(vtkUnstructuredGrid* grid);
+  GridFaces(vtkUnstructuredGrid* grid, Execution& execution);
 
 private:
-  void readCells(vtkUnstructuredGrid* grid);
-  void readPoints(vtkUnstructuredGrid* grid);
+  void readCells(vtkUnstructuredGrid* grid, Execution& execution);
+  void readPoints(vtkUnstructuredGrid* grid, Execution& execution);
 };
 
 }

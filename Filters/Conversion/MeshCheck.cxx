@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshCheck.h"
 
+#include "Base/Sorting.h"
 #include "BoundaryOfFaces.h"
 #include "FieldData.h"
 
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <numeric>
 
 namespace cartesian
@@ -23,6 +25,8 @@ namespace cartesian
 namespace
 {
 
+constexpr std::size_t CellsAChunk = 1 << 14;
+
 std::vector<vtkIdType> allCells(vtkUnstructuredGrid* grid)
 {
   std::vector<vtkIdType> cells(static_cast<std::size_t>(grid->GetNumberOfCells()));
@@ -30,36 +34,54 @@ std::vector<vtkIdType> allCells(vtkUnstructuredGrid* grid)
   return cells;
 }
 
-// Polyhedra, and hexahedra that have a point in common with one.
-std::vector<vtkIdType> cellsAtWalls(vtkUnstructuredGrid* grid)
+// Calls visit(cell, isPolyhedron, begin, end) for the points of each cell.
+template <class Visitor>
+void forEachCell(vtkUnstructuredGrid* grid, Visitor&& visit, Execution& execution)
 {
-  std::vector<bool> isOfPolyhedron(static_cast<std::size_t>(grid->GetNumberOfPoints()));
-  std::vector<bool> isChosen(static_cast<std::size_t>(grid->GetNumberOfCells()));
-  const auto points = vtk::TakeSmartPointer(grid->GetCells()->NewIterator());
-  for (const bool isPolyhedron : { true, false })
-  {
-    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  const auto count = static_cast<std::size_t>(grid->GetNumberOfCells());
+  execution.forEach(count, CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    const auto points = vtk::TakeSmartPointer(grid->GetCells()->NewIterator());
+    for (std::size_t c = begin; c < end; ++c)
     {
-      if ((grid->GetCellType(cell) == VTK_POLYHEDRON) != isPolyhedron)
-      {
-        continue;
-      }
-      vtkIdType count = 0;
+      const auto cell = static_cast<vtkIdType>(c);
+      vtkIdType size = 0;
       const vtkIdType* point = nullptr;
-      points->GetCellAtId(cell, count, point);
-      const auto isMarked = [&](vtkIdType p) { return isOfPolyhedron[std::size_t(p)]; };
-      isChosen[std::size_t(cell)] = isPolyhedron || std::any_of(point, point + count, isMarked);
-      for (vtkIdType i = 0; isPolyhedron && i < count; ++i)
-      {
-        isOfPolyhedron[std::size_t(point[i])] = true;
-      }
+      points->GetCellAtId(cell, size, point);
+      visit(cell, grid->GetCellType(cell) == VTK_POLYHEDRON, point, point + size);
     }
-  }
-  std::vector<vtkIdType> cells = allCells(grid);
-  cells.erase(std::remove_if(cells.begin(), cells.end(),
-                [&](vtkIdType cell) { return !isChosen[std::size_t(cell)]; }),
-    cells.end());
-  return cells;
+  });
+}
+
+// Polyhedra, and hexahedra that have a point in common with one.
+std::vector<vtkIdType> cellsAtWalls(vtkUnstructuredGrid* grid, Execution& execution)
+{
+  std::vector<std::atomic<bool>> isOfPolyhedron(
+    static_cast<std::size_t>(grid->GetNumberOfPoints()));
+  const auto mark = [&](vtkIdType point) {
+    isOfPolyhedron[std::size_t(point)].store(true, std::memory_order_relaxed);
+  };
+  const auto isMarked = [&](vtkIdType point) {
+    return isOfPolyhedron[std::size_t(point)].load(std::memory_order_relaxed);
+  };
+  using Points = const vtkIdType*;
+  forEachCell(
+    grid,
+    [&](vtkIdType, bool isPolyhedron, Points begin, Points end) {
+      std::for_each(begin, isPolyhedron ? end : begin, mark);
+    },
+    execution);
+  std::vector<std::vector<vtkIdType>> chosen(
+    chunks(static_cast<std::size_t>(grid->GetNumberOfCells()), CellsAChunk));
+  forEachCell(
+    grid,
+    [&](vtkIdType cell, bool isPolyhedron, Points begin, Points end) {
+      if (isPolyhedron || std::any_of(begin, end, isMarked))
+      {
+        chosen[std::size_t(cell) / CellsAChunk].push_back(cell);
+      }
+    },
+    execution);
+  return concatenated(chosen);
 }
 
 // Of those that Region numbers; one that is empty if there are no several.
@@ -101,7 +123,7 @@ class Checker
 public:
   Checker(vtkUnstructuredGrid* grid, Checked which, Execution& execution)
     : grid_(grid)
-    , cellOf_(which == Checked::All ? allCells(grid) : cellsAtWalls(grid))
+    , cellOf_(which == Checked::All ? allCells(grid) : cellsAtWalls(grid, execution))
     , cells_(facesOfCells(grid, cellOf_, execution))
   {
   }
@@ -113,8 +135,8 @@ public:
     FaceList list = listFaces(cells_, static_cast<std::size_t>(grid_->GetNumberOfPoints()),
       Clashes::AreBoundary, execution);
     std::vector<vtkIdType> boundary;
-    const bool isKnown =
-      readBoundaryOfFaces(grid_, cells_, cellOf_, list, boundary) == BoundaryKnowledge::All;
+    const bool isKnown = readBoundaryOfFaces(grid_, cells_, cellOf_, list, boundary, execution) ==
+      BoundaryKnowledge::All;
     const std::vector<bool> isSeen = seenFaces(checked.regionOf, boundary, isKnown, list);
     std::vector<double> copy;
     SolverCheck found =

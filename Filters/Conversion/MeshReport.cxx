@@ -91,13 +91,13 @@ public:
       throw Error(
         Fault::BadMesh, "There are no cells to report of, or their quality cannot be measured.");
     }
-    cells_ = facesOfCells(mesh_);
+    cells_ = facesOfCells(mesh_, execution_);
     faces_ = listFaces(cells_, static_cast<std::size_t>(mesh_->GetNumberOfPoints()),
       Clashes::AreBoundary, execution_);
     std::vector<vtkIdType> cellOf(cells_.cellCount());
     std::iota(cellOf.begin(), cellOf.end(), 0);
-    const bool isKnown =
-      readBoundaryOfFaces(mesh_, cells_, cellOf, faces_, boundary_) == BoundaryKnowledge::All;
+    const bool isKnown = readBoundaryOfFaces(mesh_, cells_, cellOf, faces_, boundary_,
+                           execution_) == BoundaryKnowledge::All;
     boundary_.resize(faces_.face.size() - faces_.neighbour.size(), UnknownBoundary);
     if (!isKnown)
     {

@@ -336,15 +336,19 @@ void setFaces(
 
 // A value for each of some faces, valueOf(index).
 template <class Array, class ValueOf>
-vtkSmartPointer<Array> arrayOf(const char* name, std::size_t faces, ValueOf&& valueOf)
+vtkSmartPointer<Array> arrayOf(
+  const char* name, std::size_t faces, ValueOf&& valueOf, Execution& execution)
 {
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfValues(static_cast<vtkIdType>(faces));
-  for (std::size_t i = 0; i < faces; ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), valueOf(i));
-  }
+  auto* const values = array->GetPointer(0);
+  execution.forEach(faces, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      values[i] = valueOf(i);
+    }
+  });
   return array;
 }
 
@@ -361,9 +365,9 @@ void setBoundary(
   setFaces(faces, grid, boundary, execution);
   const std::vector<BoundaryFace>& all = boundaryOf(assembly);
   boundary->GetCellData()->SetScalars(arrayOf<vtkIntArray>( // the initial colouring
-    "BoundaryId", all.size(), [&](std::size_t i) { return all[i].boundary; }));
-  boundary->GetCellData()->AddArray(
-    arrayOf<vtkIdTypeArray>("OwnerCell", all.size(), [&](std::size_t i) { return all[i].cell; }));
+    "BoundaryId", all.size(), [&](std::size_t i) { return all[i].boundary; }, execution));
+  boundary->GetCellData()->AddArray(arrayOf<vtkIdTypeArray>(
+    "OwnerCell", all.size(), [&](std::size_t i) { return all[i].cell; }, execution));
   setFaceGeometry(all, faces, boundary, execution);
 }
 
@@ -373,15 +377,17 @@ void setBoundary(
 class LayerReport
 {
 public:
-  LayerReport(const BoundaryLayers& layers, vtkPolyData* boundary)
+  LayerReport(const BoundaryLayers& layers, vtkPolyData* boundary, Execution& execution)
     : layers_(layers)
     , faces_(layers.boundary.faces)
     , stacks_(layers.boundary.stacks)
   {
     const auto made = [&](std::size_t i) { return stacks_[i].layers; };
     boundary->GetCellData()->AddArray(arrayOf<vtkDoubleArray>(
-      "LayerThickness", faces_.size(), [&](std::size_t i) { return stacks_[i].thickness; }));
-    boundary->GetCellData()->AddArray(arrayOf<vtkIntArray>("LayersMade", faces_.size(), made));
+      "LayerThickness", faces_.size(), [&](std::size_t i) { return stacks_[i].thickness; },
+      execution));
+    boundary->GetCellData()->AddArray(
+      arrayOf<vtkIntArray>("LayersMade", faces_.size(), made, execution));
     auto* areas = vtkDoubleArray::SafeDownCast(boundary->GetCellData()->GetArray("FaceArea"));
     for (std::size_t i = 0; i < faces_.size(); ++i)
     {
@@ -535,7 +541,8 @@ std::map<std::int32_t, BoundaryMeasure> sum(
 
 // Name, number of faces and area of each boundary, on both outputs.
 void describeBoundaries(const Assembly& assembly, const BoundaryTexts& texts,
-  const Processes& processes, vtkPolyData* boundary, vtkUnstructuredGrid* mesh)
+  const Processes& processes, vtkPolyData* boundary, vtkUnstructuredGrid* mesh,
+  Execution& execution)
 {
   BoundaryNames names = texts.names;
   std::map<std::int32_t, BoundaryMeasure> measures = sum(measureBoundaries(boundary), processes);
@@ -561,12 +568,12 @@ void describeBoundaries(const Assembly& assembly, const BoundaryTexts& texts,
   }
   auto* ids = vtkIntArray::SafeDownCast(boundary->GetCellData()->GetArray("BoundaryId"));
   // Views show strings in categorical colours, with a legend of them.
-  boundary->GetCellData()->AddArray(
-    arrayOf<vtkStringArray>("BoundaryName", static_cast<std::size_t>(ids->GetNumberOfValues()),
-      [&](std::size_t i) { return names.at(ids->GetValue(static_cast<vtkIdType>(i))); }));
+  boundary->GetCellData()->AddArray(arrayOf<vtkStringArray>(
+    "BoundaryName", static_cast<std::size_t>(ids->GetNumberOfValues()),
+    [&](std::size_t i) { return names.at(ids->GetValue(static_cast<vtkIdType>(i))); }, execution));
   if (assembly.layers)
   {
-    LayerReport report(*assembly.layers, boundary);
+    LayerReport report(*assembly.layers, boundary, execution);
     report.write(names, mesh);
     report.write(names, boundary);
   }
@@ -581,9 +588,10 @@ std::string nameOfRegion(const std::vector<std::string>& names, std::int32_t reg
 
 // Name and volume of each region, on both outputs, and of which each boundary face is.
 void setRegions(const Assembly& assembly, const std::vector<std::string>& names,
-  const Processes& processes, vtkUnstructuredGrid* mesh, vtkPolyData* boundary)
+  const Processes& processes, vtkUnstructuredGrid* mesh, vtkPolyData* boundary,
+  Execution& execution)
 {
-  const std::vector<double> volumes = processes.sum(regionVolumes(assembly));
+  const std::vector<double> volumes = processes.sum(assembly.regionVolumes);
   std::vector<double> parts(assembly.separate.ofRegions.begin(), assembly.separate.ofRegions.end());
   parts.resize(volumes.size());
   vtkNew<vtkStringArray> regionNames;
@@ -606,8 +614,9 @@ void setRegions(const Assembly& assembly, const std::vector<std::string>& names,
     regionOf[static_cast<std::size_t>(numbers->GetValue(cell))] = regions->GetValue(cell);
   }
   const std::vector<BoundaryFace>& faces = boundaryOf(assembly);
-  boundary->GetCellData()->AddArray(arrayOf<vtkIntArray>("Region", faces.size(),
-    [&](std::size_t i) { return regionOf[static_cast<std::size_t>(faces[i].cell)]; }));
+  boundary->GetCellData()->AddArray(arrayOf<vtkIntArray>(
+    "Region", faces.size(),
+    [&](std::size_t i) { return regionOf[static_cast<std::size_t>(faces[i].cell)]; }, execution));
 }
 
 // Behind and in front of each face between two regions; with layers, those of their stacks.
@@ -657,25 +666,32 @@ void setInterfaces(const Assembly& assembly, const std::vector<std::string>& nam
   }
   output->GetFieldData()->AddArray(interfaceNames);
   vtkCellData* data = output->GetCellData();
-  data->AddArray(arrayOf<vtkStringArray>("InterfaceName", faces.size(), [&](std::size_t i) {
-    return interfaceNames->GetValue(ids.at({ wallOf(i).behind, wallOf(i).front }));
-  }));
-  data->SetScalars(arrayOf<vtkIntArray>("InterfaceId", faces.size(), [&](std::size_t i) {
-    return ids.at({ wallOf(i).behind, wallOf(i).front });
-  }));
+  data->AddArray(arrayOf<vtkStringArray>(
+    "InterfaceName", faces.size(),
+    [&](std::size_t i) {
+      return interfaceNames->GetValue(ids.at({ wallOf(i).behind, wallOf(i).front }));
+    },
+    execution));
+  data->SetScalars(arrayOf<vtkIntArray>(
+    "InterfaceId", faces.size(),
+    [&](std::size_t i) {
+      return ids.at({ wallOf(i).behind, wallOf(i).front });
+    },
+    execution));
   data->AddArray(arrayOf<vtkIntArray>(
-    "OwnerRegion", faces.size(), [&](std::size_t i) { return wallOf(i).behind; }));
+    "OwnerRegion", faces.size(), [&](std::size_t i) { return wallOf(i).behind; }, execution));
   data->AddArray(arrayOf<vtkIntArray>(
-    "NeighbourRegion", faces.size(), [&](std::size_t i) { return wallOf(i).front; }));
+    "NeighbourRegion", faces.size(), [&](std::size_t i) { return wallOf(i).front; }, execution));
   data->AddArray(arrayOf<vtkIntArray>(
-    "OwnerBoundaryId", faces.size(), [&](std::size_t i) { return wallOf(i).boundary; }));
+    "OwnerBoundaryId", faces.size(), [&](std::size_t i) { return wallOf(i).boundary; }, execution));
   data->AddArray(arrayOf<vtkIntArray>(
-    "NeighbourBoundaryId", faces.size(), [&](std::size_t i) { return wallOf(i).boundaryInFront; }));
+    "NeighbourBoundaryId", faces.size(), [&](std::size_t i) { return wallOf(i).boundaryInFront; },
+    execution));
   const std::vector<std::array<Id, 2>> cells = cellsAtInterfaces(assembly);
-  data->AddArray(
-    arrayOf<vtkIdTypeArray>("OwnerCell", faces.size(), [&](std::size_t i) { return cells[i][0]; }));
   data->AddArray(arrayOf<vtkIdTypeArray>(
-    "NeighbourCell", faces.size(), [&](std::size_t i) { return cells[i][1]; }));
+    "OwnerCell", faces.size(), [&](std::size_t i) { return cells[i][0]; }, execution));
+  data->AddArray(arrayOf<vtkIdTypeArray>(
+    "NeighbourCell", faces.size(), [&](std::size_t i) { return cells[i][1]; }, execution));
 }
 
 }
@@ -689,10 +705,10 @@ void toVTK(const Assembly& assembly, const BoundaryTexts& texts, const MeshPiece
   setParts(assembly, mesh);
   setBoundary(assembly, mesh, boundary, execution);
   setBoundaryOfFaces(mesh, boundary, execution);
-  describeBoundaries(assembly, texts, piece.processes, boundary, mesh);
+  describeBoundaries(assembly, texts, piece.processes, boundary, mesh, execution);
   if (assembly.patches.walls.any())
   {
-    setRegions(assembly, texts.regions, piece.processes, mesh, boundary);
+    setRegions(assembly, texts.regions, piece.processes, mesh, boundary, execution);
     setInterfaces(assembly, texts.regions, mesh, interfaces, execution);
   }
   if (!piece.isWhole)

@@ -265,6 +265,10 @@ std::vector<double> Processes::sum(const std::vector<double>& mine) const
 
 vtkSmartPointer<vtkDataObject> Processes::whole(vtkDataObject* surface) const
 {
+  if (!this->areSeveral())
+  {
+    return surface;
+  }
   const std::vector<std::vector<double>> prints = this->gather(fingerprint(surface));
   if (std::all_of(prints.begin(), prints.end(), [&](const auto& x) { return x == prints[0]; }))
   {

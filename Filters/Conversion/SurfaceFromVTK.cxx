@@ -95,10 +95,14 @@ SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundary
   for (const SurfaceBlock& block : blocks)
   {
     const std::size_t pointsBefore = points_.size() / 3;
-    readTriangles(block.surface);
+    const bool isDivided = allTriangles(block.surface);
+    readTriangles(block.surface, isDivided);
     readSharpEdges(block.surface, pointsBefore);
     readOpenBodies(block.surface);
-    findUndivided(block.surface);
+    if (!isDivided)
+    {
+      findUndivided(block.surface);
+    }
     if (isChosen || found)
     {
       readBoundaries(block.surface, isChosen ? boundaryArray : found);
@@ -122,9 +126,14 @@ SurfaceFromVTK::SurfaceFromVTK(vtkDataObject* input, const std::string& boundary
     }
     cellsBefore_ += block.surface->GetNumberOfCells();
   }
-  for (const std::int32_t boundary : std::set<std::int32_t>(boundary_.begin(), boundary_.end()))
+  for (std::size_t t = 0; t < boundary_.size(); ++t)
   {
-    names_.emplace(boundary, unnamedBoundary(boundary));
+    const std::int32_t boundary = boundary_[t];
+    const bool isNext = t == 0 || boundary != boundary_[t - 1];
+    if (isNext && names_.count(boundary) == 0)
+    {
+      names_.emplace(boundary, unnamedBoundary(boundary));
+    }
   }
 }
 
@@ -145,7 +154,7 @@ void SurfaceFromVTK::readBoundaryOfBlock(
   }
 }
 
-void SurfaceFromVTK::readTriangles(vtkPolyData* block)
+void SurfaceFromVTK::readTriangles(vtkPolyData* block, bool isDivided)
 {
   const std::size_t pointsBefore = points_.size() / 3;
   if (pointsBefore + static_cast<std::size_t>(block->GetNumberOfPoints()) >=
@@ -156,7 +165,7 @@ void SurfaceFromVTK::readTriangles(vtkPolyData* block)
   }
   vtkSmartPointer<vtkPolyData> surface = block;
   vtkIdTypeArray* ids = nullptr;
-  if (!allTriangles(block))
+  if (!isDivided)
   {
     surface = triangulated(block);
     ids = vtkIdTypeArray::SafeDownCast(surface->GetCellData()->GetArray(CellIds));
@@ -246,10 +255,6 @@ void SurfaceFromVTK::readOpenBodies(vtkPolyData* block)
 // VTK leaves polygons that cross or touch themselves out, or a part of them.
 void SurfaceFromVTK::findUndivided(vtkPolyData* block)
 {
-  if (allTriangles(block))
-  {
-    return;
-  }
   std::vector<std::size_t> made(static_cast<std::size_t>(block->GetNumberOfCells()));
   for (auto cell = cells_.rbegin(); cell != cells_.rend() && *cell >= cellsBefore_; ++cell)
   {

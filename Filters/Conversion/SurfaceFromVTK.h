@@ -94,7 +94,7 @@ public:
   const std::vector<std::string>& regionNames() const { return regionNames_; }
 
 private:
-  void readTriangles(vtkPolyData* block);
+  void readTriangles(vtkPolyData* block, bool isDivided);
   void readSharpEdges(vtkPolyData* block, std::size_t pointsBefore);
   void readOpenBodies(vtkPolyData* block);
   void findUndivided(vtkPolyData* block);

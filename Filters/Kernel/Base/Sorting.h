@@ -212,7 +212,8 @@ Buckets<Item> fillBuckets(std::size_t count, std::size_t grain, std::size_t buck
   for (std::size_t b = 0; b <= buckets; ++b)
   {
     result.start[b] = sum;
-    sum += next[b].exchange(sum);
+    sum += next[b].load(std::memory_order_relaxed);
+    next[b].store(result.start[b], std::memory_order_relaxed);
   }
   result.items.resize(sum);
   execution.forEach(count, grain, [&](std::size_t begin, std::size_t end) {

@@ -31,13 +31,13 @@ class Parts
 {
 public:
   Parts(const Boxes& boxes, const Patches& patches, const Sides& sides, const Nodes& nodes,
-    const WallMesh& wall)
+    const WallMesh& wall, Execution& execution)
     : boxes_(boxes)
     , patches_(patches)
     , sides_(sides)
     , nodes_(nodes)
     , wall_(wall)
-    , parts_(unitedHexahedra(boxes, sides, wall))
+    , parts_(unitedHexahedra(boxes, sides, wall, execution))
     , isKept_(boxes.packed.size() + wall.size())
   {
     uniteAcrossSides();
@@ -285,7 +285,7 @@ private:
   const Sides& sides_;
   const Nodes& nodes_;
   const WallMesh& wall_;
-  DisjointSets parts_;
+  ConcurrentSets parts_;
   std::vector<std::uint8_t> isKept_; // of the elements that stand for parts
 };
 
@@ -381,9 +381,9 @@ void keepPatches(
 }
 
 KeptParts findKeptParts(const PartsToKeep& which, const Boxes& boxes, const Patches& patches,
-  const Sides& sides, const Nodes& nodes, const WallMesh& wall)
+  const Sides& sides, const Nodes& nodes, const WallMesh& wall, Execution& execution)
 {
-  Parts parts(boxes, patches, sides, nodes, wall);
+  Parts parts(boxes, patches, sides, nodes, wall, execution);
   for (const KeepPoint& point : which.points)
   {
     parts.keep(point);

@@ -25,7 +25,7 @@ struct KeptParts
 // Cells connected by faces, hexahedra included, are a part; it stays if a point is in it. The boxes must be those of
 // the whole grid, with one region. Throws Error (BadParameter): no cell has a point in it, or a part reaches there.
 KeptParts findKeptParts(const PartsToKeep& which, const Boxes& boxes, const Patches& patches,
-  const Sides& sides, const Nodes& nodes, const WallMesh& wall);
+  const Sides& sides, const Nodes& nodes, const WallMesh& wall, Execution& execution);
 
 // Boxes and patches as for a surface without the other parts.
 void keepOnly(const KeptParts& parts, Boxes& boxes, Patches& patches, Execution& execution);

@@ -127,8 +127,10 @@ void EditMesh::compact(Execution& execution)
 
 void EditMesh::release(Execution& execution)
 {
-  const std::array<std::function<void()>, 4> parts{ [&] { faces = {}; }, [&] { nodes = {}; },
-    [&] { cells = {}; }, [&] { arenas = {}; } };
+  // Braces alone would keep the memory.
+  const auto free = [](auto& list) { list = std::decay_t<decltype(list)>(); };
+  const std::array<std::function<void()>, 4> parts{ [&] { free(faces); }, [&] { free(nodes); },
+    [&] { free(cells); }, [&] { free(arenas); } };
   execution.forEach(parts.size(), 1, [&](std::size_t i, std::size_t) { parts[i](); });
 }
 

@@ -92,8 +92,8 @@ NodeShifts::NodeShifts(
   , mostCost_(mostCost)
   , execution_(execution)
   , shiftOf_(whole.nodes.size())
-  , ofFaces_(whole.faces.size(), 0)
-  , ofCells_(whole.cells.size(), 0)
+  , stamps_{ 0, std::vector<std::uint8_t>(whole.faces.size()),
+    std::vector<std::uint8_t>(whole.cells.size()) }
   , costs_(whole.faces.size())
   , isPoor_(whole.faces.size(), 0)
 {
@@ -184,7 +184,7 @@ template <class IsMeant>
 NodeShifts::Reach NodeShifts::reachOf(const std::vector<std::uint32_t>& shifts, IsMeant&& isMeant)
 {
   Reach reach;
-  reach.stamp = static_cast<std::uint8_t>(++stamps_);
+  reach.stamp = static_cast<std::uint8_t>(++stamps_.last);
   const auto isOne = [&](std::uint32_t n) {
     return shiftOf_[n] != None && isMeant(shifts_[shiftOf_[n]]);
   };
@@ -196,7 +196,7 @@ NodeShifts::Reach NodeShifts::reachOf(const std::vector<std::uint32_t>& shifts, 
       *std::find_if(ring.begin(), ring.end(), isOne) == n ? list.push_back(f) : void();
     }
   });
-  forEach(reach.faces, [&](const MeshEditor&, std::uint32_t f) { ofFaces_[f] = reach.stamp; });
+  forEach(reach.faces, [&](const MeshEditor&, std::uint32_t f) { stamps_.faces[f] = reach.stamp; });
   reach.cells = gather(reach.faces.size(), [&](std::size_t i, std::vector<std::uint32_t>& list) {
     const std::uint32_t f = reach.faces[i];
     for (const std::uint32_t c : { mesh_.face(f).below, mesh_.face(f).above })
@@ -204,12 +204,12 @@ NodeShifts::Reach NodeShifts::reachOf(const std::vector<std::uint32_t>& shifts, 
       const auto isFirst = [&] {
         const Items faces = mesh_.facesOf(c);
         return *std::find_if(faces.begin(), faces.end(),
-                 [&](std::uint32_t g) { return ofFaces_[g] >= reach.stamp; }) == f;
+                 [&](std::uint32_t g) { return stamps_.faces[g] >= reach.stamp; }) == f;
       };
       c != None&& mesh_.isFree(c) && isFirst() ? list.push_back(c) : void();
     }
   });
-  forEach(reach.cells, [&](const MeshEditor&, std::uint32_t c) { ofCells_[c] = reach.stamp; });
+  forEach(reach.cells, [&](const MeshEditor&, std::uint32_t c) { stamps_.cells[c] = reach.stamp; });
   return reach;
 }
 
@@ -225,7 +225,8 @@ void NodeShifts::forEachDependent(const Reach& reach, Visitor&& visit) const
       for (const std::uint32_t f : mesh_.facesOf(c))
       {
         const std::uint32_t below = mesh_.face(f).below;
-        below == c || ofCells_[below] < reach.stamp ? visit(mesh, f, begin / ItemsAChunk) : void();
+        below == c || stamps_.cells[below] < reach.stamp ? visit(mesh, f, begin / ItemsAChunk)
+                                                         : void();
       }
     }
   });

@@ -67,6 +67,14 @@ private:
     std::vector<std::uint32_t> cells;
   };
 
+  // Of the last reach that has a face or cell; 0: none.
+  struct Stamps
+  {
+    int last = 0;
+    std::vector<std::uint8_t> faces;
+    std::vector<std::uint8_t> cells;
+  };
+
   template <class Visitor>
   void forEach(const std::vector<std::uint32_t>& list, Visitor&& visit) const;
   template <class Visitor>
@@ -91,14 +99,12 @@ private:
   const ObjectiveSpec& spec_;
   const double mostCost_;
   Execution& execution_;
-  int stamps_ = 0;
-  RecordVector<Shift> shifts_;        // of nodes that may move, in order
-  RawVector<std::uint32_t> shiftOf_;  // each node's, or None
-  std::vector<std::uint8_t> ofFaces_; // stamps: the last reach that has them; 0: none
-  std::vector<std::uint8_t> ofCells_; // ... too
-  RawVector<Cost<double>> costs_;     // of faces in reach, as they are now
-  std::vector<std::uint8_t> isPoor_;  // faces
-  std::vector<std::uint32_t> poor_;   // these
+  RecordVector<Shift> shifts_;       // of nodes that may move, in order
+  RawVector<std::uint32_t> shiftOf_; // each node's, or None
+  Stamps stamps_;
+  RawVector<Cost<double>> costs_;    // of faces in reach, as they are now
+  std::vector<std::uint8_t> isPoor_; // faces
+  std::vector<std::uint32_t> poor_;  // these
 };
 
 }

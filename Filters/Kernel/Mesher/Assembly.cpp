@@ -220,8 +220,8 @@ BoxFlags keepParts(Assembly& a, BoxFlags flawed, const PartsToKeep& which, const
   {
     return flawed;
   }
-  const KeptParts kept =
-    findKeptParts(which, a.boxes, a.patches, a.sides, a.nodes, makeCells(a, options, execution));
+  const KeptParts kept = findKeptParts(
+    which, a.boxes, a.patches, a.sides, a.nodes, makeCells(a, options, execution), execution);
   a.separate.leftOut = kept.leftOut;
   if (kept.leftOut == 0)
   {
@@ -352,6 +352,41 @@ bool isWhole(const Assembly& a)
   return a.boxes.core.begin == all.begin && a.boxes.core.end == all.end;
 }
 
+// User units cubed.
+std::vector<double> volumesOfRegions(const Assembly& a)
+{
+  std::int32_t regions = FirstRegion;
+  for (const Wall& wall : a.patches.walls.all)
+  {
+    regions = std::max(
+      { regions, a.patches.walls.givenOf(wall.behind), a.patches.walls.givenOf(wall.front) });
+  }
+  std::vector<double> volumes(static_cast<std::size_t>(regions));
+  const double step = a.boxes.lattice.step();
+  const auto add = [&](std::uint32_t b, std::int32_t region, double fraction) {
+    const Box box = a.boxes.box(b);
+    const Vector size = minus(box.high, box.low);
+    volumes[static_cast<std::size_t>(a.patches.walls.givenOf(region) - FirstRegion)] +=
+      fraction * size[0] * step * size[1] * step * size[2] * step;
+  };
+  const std::uint32_t end = a.boxes.firstBoxOf(a.boxes.core.end);
+  for (std::uint32_t b = a.boxes.firstBoxOf(a.boxes.core.begin); b < end; ++b)
+  {
+    const std::uint32_t n = a.sides.polyhedralOrdinal(b);
+    if (n == None)
+    {
+      add(b, a.boxes.regionOf(b), 1);
+    }
+    for (std::size_t c = n == None ? 0 : a.wall.boxStart[n];
+         n != None && c < a.wall.boxStart[n + 1]; ++c)
+    {
+      const Cell& cell = a.wall.cells[c];
+      add(b, cell.region, cell.removed ? 0 : cell.volumeFraction);
+    }
+  }
+  return volumes;
+}
+
 void requireCells(const Assembly& a, const Options& options)
 {
   if (isWhole(a) && a.mesh->cellCount() == 0)
@@ -405,12 +440,13 @@ std::unique_ptr<Assembly> assemble(Boxes boxes, Patches patches, const Options& 
   }
   if (isWhole(a))
   {
-    a.separate.ofRegions = countParts(a.boxes, a.patches.walls, a.sides, a.wall);
+    a.separate.ofRegions = countParts(a.boxes, a.patches.walls, a.sides, a.wall, execution);
   }
   execution.stage("Numbering", AfterEditing, AfterNumbering);
   a.mesh = std::make_unique<OutputMesh>(
     MeshParts{ a.boxes, a.patches, a.sides, a.nodes, a.wall }, execution);
   requireCells(a, options);
+  a.regionVolumes = volumesOfRegions(a);
   return assembly;
 }
 

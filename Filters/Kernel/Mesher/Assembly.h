@@ -47,6 +47,7 @@ struct Assembly
   SeparateParts separate;
   std::vector<std::uint32_t> overlapping; // boxes of cells that overlap others in the end
   double relaxation = 1;                  // of sizes, for the cell budget
+  std::vector<double> regionVolumes;      // of cells of the core, by region, user units cubed
   std::unique_ptr<OutputMesh> mesh;
   std::unique_ptr<BoundaryLayers> layers; // on the mesh, or null
 };

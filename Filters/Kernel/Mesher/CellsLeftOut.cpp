@@ -34,9 +34,9 @@ double volumeLeftOut(const Assembly& a)
 
 double shareLeftOut(const Assembly& a)
 {
-  const std::vector<double> regions = regionVolumes(a);
   const double lost = volumeLeftOut(a);
-  return lost > 0 ? lost / std::accumulate(regions.begin(), regions.end(), lost) : 0;
+  return lost > 0 ? lost / std::accumulate(a.regionVolumes.begin(), a.regionVolumes.end(), lost)
+                  : 0;
 }
 
 LeftOutAtRims leftOutAtRims(const Assembly& a)

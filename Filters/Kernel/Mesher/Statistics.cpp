@@ -193,8 +193,7 @@ private:
     countRemovals();
     n_.volumeLeftOut = volumeLeftOut(a_);
     n_.surfaceVolume = a_.patches.surfaceVolume;
-    const std::vector<double> volumes = regionVolumes(a_);
-    n_.meshVolume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+    n_.meshVolume = std::accumulate(a_.regionVolumes.begin(), a_.regionVolumes.end(), 0.0);
     n_.sizesRelaxed = a_.relaxation - 1;
     n_.partsLeftOut = static_cast<double>(a_.separate.leftOut);
     n_.isolatedCells = static_cast<double>(a_.separate.isolatedCells);
@@ -230,40 +229,6 @@ std::vector<Statistic> statistics(const Assembly& assembly)
     result.push_back({ row.name, row.meaning, counts.*row.count });
   }
   return result;
-}
-
-std::vector<double> regionVolumes(const Assembly& a)
-{
-  std::int32_t regions = FirstRegion;
-  for (const Wall& wall : a.patches.walls.all)
-  {
-    regions = std::max(
-      { regions, a.patches.walls.givenOf(wall.behind), a.patches.walls.givenOf(wall.front) });
-  }
-  std::vector<double> volumes(static_cast<std::size_t>(regions));
-  const double step = a.boxes.lattice.step();
-  const auto add = [&](std::uint32_t b, std::int32_t region, double fraction) {
-    const Box box = a.boxes.box(b);
-    const Vector size = minus(box.high, box.low);
-    volumes[static_cast<std::size_t>(a.patches.walls.givenOf(region) - FirstRegion)] +=
-      fraction * size[0] * step * size[1] * step * size[2] * step;
-  };
-  const std::uint32_t end = a.boxes.firstBoxOf(a.boxes.core.end);
-  for (std::uint32_t b = a.boxes.firstBoxOf(a.boxes.core.begin); b < end; ++b)
-  {
-    const std::uint32_t n = a.sides.polyhedralOrdinal(b);
-    if (n == None)
-    {
-      add(b, a.boxes.regionOf(b), 1);
-    }
-    for (std::size_t c = n == None ? 0 : a.wall.boxStart[n];
-         n != None && c < a.wall.boxStart[n + 1]; ++c)
-    {
-      const Cell& cell = a.wall.cells[c];
-      add(b, cell.region, cell.removed ? 0 : cell.volumeFraction);
-    }
-  }
-  return volumes;
 }
 
 }

@@ -17,7 +17,4 @@ struct Statistic
 // Of a part (Decomposition.h), those of its core: the parts' add up.
 std::vector<Statistic> statistics(const Assembly& assembly);
 
-// The volume of the cells of each region, in cubic user units; of a part, those of its core.
-std::vector<double> regionVolumes(const Assembly& assembly);
-
 }

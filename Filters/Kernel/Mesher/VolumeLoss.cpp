@@ -166,7 +166,7 @@ public:
   VolumeLoss run()
   {
     VolumeLoss loss;
-    loss.meshed = regionVolumes(a_);
+    loss.meshed = a_.regionVolumes;
     for (std::size_t r = 0; r < loss.meshed.size(); ++r)
     {
       Tiles whole(size_, 1);

@@ -73,7 +73,7 @@ void FoamFile::vectors(const std::vector<double>& numbers)
 }
 
 void FoamFile::labelLists(
-  const std::vector<std::size_t>& start, const std::vector<std::uint32_t>& labelsOfAll)
+  const std::vector<std::size_t>& start, const RawVector<std::uint32_t>& labelsOfAll)
 {
   if (format_ == FoamFormat::Binary)
   {

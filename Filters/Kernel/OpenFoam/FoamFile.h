@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/OutputFile.h"
+#include "Base/RawVector.h"
 
 #include <cstdint>
 
@@ -34,7 +35,7 @@ public:
   void vectors(const std::vector<double>& numbers);
 
   // Lists of labels; the i-th from start[i] to start[i + 1].
-  void labelLists(const std::vector<std::size_t>& start, const std::vector<std::uint32_t>& labels);
+  void labelLists(const std::vector<std::size_t>& start, const RawVector<std::uint32_t>& labels);
 
   // Whether this class wrote the file.
   static bool isOurs(const std::filesystem::path& path);

@@ -2,11 +2,13 @@
 #include "OpenFoam/PolyMeshFiles.h"
 
 #include "Base/Error.h"
+#include "Base/Sorting.h"
 #include "OpenFoam/LeastSystem.h"
 #include "OpenFoam/SymmetryPlanes.h"
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <set>
@@ -19,6 +21,8 @@ namespace
 {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t FacesAChunk = 1 << 14;
 
 constexpr std::array<const char*, 5> MeshFiles = { "points", "faces", "owner", "neighbour",
   "boundary" };
@@ -101,18 +105,16 @@ void writeFaceZones(const std::vector<FoamFaceZone>& zones, const Folder& to)
   file.close();
 }
 
-void writeFiles(const FoamMesh& mesh, const FoamBoundary& boundary, const Folder& to)
+void writePoints(const FoamMesh& mesh, const Folder& to)
 {
   FoamFile points(to.path / "points", to.format, { "vectorField", to.location, {} });
   points.vectors(mesh.points);
   points.close();
-  writeFaces(mesh, to);
-  const std::string note = "nPoints:" + std::to_string(mesh.points.size() / 3) +
-    " nCells:" + std::to_string(mesh.cellCount) + " nFaces:" + std::to_string(mesh.owner.size()) +
-    " nInternalFaces:" + std::to_string(mesh.neighbour.size());
-  writeLabels("owner", mesh.owner, note, to);
-  writeLabels("neighbour", mesh.neighbour, note, to);
-  writeBoundary(boundary, mesh, to);
+}
+
+// Those that not all meshes have.
+void writeExtras(const FoamMesh& mesh, const Folder& to)
+{
   if (!mesh.zones.empty())
   {
     writeZones(mesh.zones, to);
@@ -129,6 +131,21 @@ void writeFiles(const FoamMesh& mesh, const FoamBoundary& boundary, const Folder
     writeLabels(Addressing[2], addressing.cells, {}, to);
     writeLabels(Addressing[3], addressing.patches, {}, to);
   }
+}
+
+void writeFiles(
+  const FoamMesh& mesh, const FoamBoundary& boundary, const Folder& to, Execution& execution)
+{
+  const std::string note = "nPoints:" + std::to_string(mesh.points.size() / 3) +
+    " nCells:" + std::to_string(mesh.cellCount) + " nFaces:" + std::to_string(mesh.owner.size()) +
+    " nInternalFaces:" + std::to_string(mesh.neighbour.size());
+  writeBoundary(boundary, mesh, to);
+  const std::array<std::function<void()>, 5> files{ // the longest first
+    [&] { writeFaces(mesh, to); }, [&] { writePoints(mesh, to); },
+    [&] { writeLabels("owner", mesh.owner, note, to); },
+    [&] { writeLabels("neighbour", mesh.neighbour, note, to); }, [&] { writeExtras(mesh, to); }
+  };
+  execution.forEach(files.size(), 1, [&](std::size_t i, std::size_t) { files[i](); });
 }
 
 void writeDecomposition(const fs::path& folder, int pieces)
@@ -203,24 +220,32 @@ bool namesAll(const fs::path& file, const std::set<std::string>& regions)
 
 }
 
-FoamMesh foamMesh(std::vector<double> points, const CellFaces& cells, const FaceList& faces,
-  std::vector<FoamPatch> patches)
+FoamMesh foamMesh(std::vector<double> points, const CellFaces& cells, FaceList faces,
+  std::vector<FoamPatch> patches, Execution& execution)
 {
-  FoamMesh mesh{ std::move(points), { 0 }, {}, faces.owner, faces.neighbour, cells.cellCount(),
-    std::move(patches) };
-  mesh.start.reserve(faces.face.size() + 1);
-  for (const std::uint32_t face : faces.face)
-  {
-    const std::uint32_t* const begin = cells.corners.data() + cells.firstCorner[face];
-    const std::uint32_t* const end = cells.corners.data() + cells.firstCorner[face + 1];
-    mesh.corners.insert(mesh.corners.end(), begin, end);
-    mesh.start.push_back(mesh.corners.size());
-  }
+  FoamMesh mesh{ std::move(points), {}, {}, std::move(faces.owner), std::move(faces.neighbour),
+    cells.cellCount(), std::move(patches) };
+  const std::size_t count = faces.face.size();
+  mesh.start.resize(count + 1);
+  execution.forEach(count, FacesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f)
+    {
+      mesh.start[f] = cells.firstCorner[faces.face[f] + 1UL] - cells.firstCorner[faces.face[f]];
+    }
+  });
+  mesh.corners.resize(scan(mesh.start));
   if (mesh.corners.size() > std::numeric_limits<std::int32_t>::max())
   {
     throw Error(Fault::BadMesh,
       "The mesh has more face corners than OpenFOAM can number in 32 bits: make it coarser.");
   }
+  execution.forEach(count, FacesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f)
+    {
+      std::copy_n(cells.corners.data() + cells.firstCorner[faces.face[f]],
+        mesh.start[f + 1] - mesh.start[f], mesh.corners.data() + mesh.start[f]);
+    }
+  });
   return mesh;
 }
 
@@ -246,7 +271,7 @@ PolyMeshFiles::~PolyMeshFiles()
   }
 }
 
-void PolyMeshFiles::write(const FoamMesh& mesh, const std::string& region)
+void PolyMeshFiles::write(const FoamMesh& mesh, const std::string& region, Execution& execution)
 {
   reportingFailures([&] {
     const fs::path location = fs::path("constant") / region / "polyMesh";
@@ -257,7 +282,7 @@ void PolyMeshFiles::write(const FoamMesh& mesh, const std::string& region)
     const FoamBoundary boundary =
       replaces ? FoamBoundary(polyMesh / "boundary") : FoamBoundary(withSymmetries(mesh));
     written_.push_back({ polyMesh, replaces, region, boundary.typed(mesh.patches) });
-    writeFiles(mesh, boundary, { unfinished(polyMesh), location.string(), format_ });
+    writeFiles(mesh, boundary, { unfinished(polyMesh), location.string(), format_ }, execution);
   });
 }
 

@@ -39,7 +39,7 @@ struct FoamMesh
 {
   std::vector<double> points;           // three coordinates each; each point belongs to a face
   std::vector<std::size_t> start;       // of each face in `corners`, and the end
-  std::vector<std::uint32_t> corners;   // points in order around the face, from outside its owner
+  RawVector<std::uint32_t> corners;     // points in order around the face, from outside its owner
   std::vector<std::uint32_t> owner;     // of each face: inner ones first, then those of the patches
   std::vector<std::uint32_t> neighbour; // of inner faces
   std::size_t cellCount;
@@ -50,8 +50,8 @@ struct FoamMesh
 };
 
 // `faces`: boundary faces in order of the patches. Throws Error (BadMesh): more than 2^31 - 1 corners.
-FoamMesh foamMesh(std::vector<double> points, const CellFaces& cells, const FaceList& faces,
-  std::vector<FoamPatch> patches);
+FoamMesh foamMesh(std::vector<double> points, const CellFaces& cells, FaceList faces,
+  std::vector<FoamPatch> patches, Execution& execution);
 
 // Which piece of a case; by default the mesh is whole.
 struct FoamPlace
@@ -83,7 +83,7 @@ public:
   ~PolyMeshFiles();
 
   // `region`: an OpenFOAM word; empty: the case has one mesh. Writes beside what is there.
-  void write(const FoamMesh& mesh, const std::string& region = {});
+  void write(const FoamMesh& mesh, const std::string& region, Execution& execution);
 
   // Moves everything written into place. Of regions, writes constant/regionProperties too, where each is fluid or
   // solid as its name begins, else fluid if flow passes through it (isFluid), as chtMultiRegionFoam requires; one

@@ -103,7 +103,7 @@ struct Side
 
 // Of all cells in order, from `firstFace` on. `ofOwners`: where the owner's side of each face is.
 std::vector<Side> sidesOfCells(
-  const Lists& lists, std::vector<std::size_t>& firstFace, std::vector<std::uint32_t>& ofOwners)
+  const Lists& lists, RawVector<std::size_t>& firstFace, std::vector<std::uint32_t>& ofOwners)
 {
   for (const std::vector<std::uint32_t>* const labels : { &lists.owner, &lists.neighbour })
   {
@@ -113,7 +113,7 @@ std::vector<Side> sidesOfCells(
     }
   }
   std::partial_sum(firstFace.begin(), firstFace.end(), firstFace.begin());
-  std::vector<std::size_t> next = firstFace;
+  RawVector<std::size_t> next = firstFace;
   std::vector<Side> sides(firstFace.back());
   for (std::size_t face = 0; face < lists.owner.size(); ++face)
   {
@@ -138,7 +138,7 @@ PolyMesh readPolyMesh(const std::filesystem::path& folder)
   mesh.cells.firstCorner = { 0 };
   for (const Side& side : sidesOfCells(lists, mesh.cells.firstFace, mesh.faces.face))
   {
-    std::vector<std::uint32_t>& corners = mesh.cells.corners;
+    RawVector<std::uint32_t>& corners = mesh.cells.corners;
     corners.insert(corners.end(),
       lists.corners.begin() + static_cast<std::ptrdiff_t>(lists.start[side.face]),
       lists.corners.begin() + static_cast<std::ptrdiff_t>(lists.start[side.face + 1]));

@@ -36,10 +36,10 @@ struct NamedFace
 class Matcher
 {
 public:
-  explicit Matcher(const CellFaces& cells);
+  Matcher(const CellFaces& cells, Execution& execution);
 
   // The cell on the other side of each face, or None, or Clash.
-  std::vector<std::uint32_t> neighbours(std::size_t pointCount, Execution& execution);
+  RawVector<std::uint32_t> neighbours(std::size_t pointCount, Execution& execution);
 
 private:
   NamedFace named(std::size_t face) const;
@@ -57,22 +57,25 @@ private:
   }
 
   const CellFaces& cells_;
-  std::vector<std::uint32_t> cellOf_;
-  std::vector<std::uint32_t> neighbours_;
+  RawVector<std::uint32_t> cellOf_;
+  RawVector<std::uint32_t> neighbours_;
 };
 
-Matcher::Matcher(const CellFaces& cells)
+Matcher::Matcher(const CellFaces& cells, Execution& execution)
   : cells_(cells)
   , cellOf_(cells.faceCount())
-  , neighbours_(cells.faceCount(), None)
+  , neighbours_(cells.faceCount())
 {
-  for (std::size_t c = 0; c < cells.cellCount(); ++c)
-  {
-    for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
+  execution.forEach(cells.cellCount(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
     {
-      cellOf_[f] = static_cast<std::uint32_t>(c);
+      for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
+      {
+        cellOf_[f] = static_cast<std::uint32_t>(c);
+        neighbours_[f] = None;
+      }
     }
-  }
+  });
 }
 
 NamedFace Matcher::named(std::size_t face) const
@@ -153,7 +156,7 @@ void Matcher::matchRun(const NamedFace* begin, const NamedFace* end)
   }
 }
 
-std::vector<std::uint32_t> Matcher::neighbours(std::size_t pointCount, Execution& execution)
+RawVector<std::uint32_t> Matcher::neighbours(std::size_t pointCount, Execution& execution)
 {
   std::vector<std::vector<NamedFace>> chunkItems(chunks(cells_.faceCount(), CellsAChunk));
   execution.forEach(cells_.faceCount(), CellsAChunk, [&](std::size_t begin, std::size_t end) {
@@ -183,7 +186,13 @@ std::vector<std::uint32_t> Matcher::neighbours(std::size_t pointCount, Execution
   return std::move(neighbours_);
 }
 
-void refuseClashes(const CellFaces& cells, const std::vector<std::uint32_t>& neighbours)
+// No cell beyond, or several.
+bool isOuter(std::uint32_t neighbour)
+{
+  return neighbour >= Clash;
+}
+
+void refuseClashes(const CellFaces& cells, const RawVector<std::uint32_t>& neighbours)
 {
   const auto clash = std::find(neighbours.begin(), neighbours.end(), Clash);
   if (clash == neighbours.end())
@@ -207,13 +216,13 @@ struct Places
   std::size_t boundary;
 };
 
-void placeFaces(const CellFaces& cells, const std::vector<std::uint32_t>& neighbours,
+void placeFaces(const CellFaces& cells, const RawVector<std::uint32_t>& neighbours,
   std::size_t cell, const Places& begin, FaceList& list)
 {
   Places next = begin;
   for (std::size_t f = cells.firstFace[cell]; f < cells.firstFace[cell + 1]; ++f)
   {
-    if (neighbours[f] == None)
+    if (isOuter(neighbours[f]))
     {
       list.face[next.boundary++] = static_cast<std::uint32_t>(f);
     }
@@ -257,7 +266,7 @@ void turnOutward(CellFaces& cells, const double* points, Execution& execution)
       }
       for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
       {
-        using Difference = std::vector<std::uint32_t>::difference_type;
+        using Difference = RawVector<std::uint32_t>::difference_type;
         std::reverse(cells.corners.begin() + static_cast<Difference>(cells.firstCorner[f]),
           cells.corners.begin() + static_cast<Difference>(cells.firstCorner[f + 1]));
       }
@@ -273,12 +282,12 @@ FaceList listFaces(
     throw Error(
       Fault::BadMesh, "The mesh has more faces than can be numbered in 32 bits: make it coarser.");
   }
-  std::vector<std::uint32_t> neighbours = Matcher(cells).neighbours(pointCount, execution);
+  const RawVector<std::uint32_t> neighbours =
+    Matcher(cells, execution).neighbours(pointCount, execution);
   if (clashes == Clashes::Refused)
   {
     refuseClashes(cells, neighbours);
   }
-  std::replace(neighbours.begin(), neighbours.end(), Clash, None);
 
   std::vector<std::size_t> inner(cells.cellCount() + 1);
   std::vector<std::size_t> boundary(cells.cellCount() + 1);
@@ -287,9 +296,9 @@ FaceList listFaces(
     {
       const auto first = neighbours.begin() + static_cast<std::ptrdiff_t>(cells.firstFace[c]);
       const auto last = neighbours.begin() + static_cast<std::ptrdiff_t>(cells.firstFace[c + 1]);
-      boundary[c] = static_cast<std::size_t>(std::count(first, last, None));
+      boundary[c] = static_cast<std::size_t>(std::count_if(first, last, isOuter));
       inner[c] = static_cast<std::size_t>(
-        std::count_if(first, last, [c](std::uint32_t n) { return n != None && n > c; }));
+        std::count_if(first, last, [c](std::uint32_t n) { return !isOuter(n) && n > c; }));
     }
   });
   const std::size_t innerCount = scan(inner);
@@ -373,12 +382,14 @@ std::vector<std::size_t> sortByPatch(
   }
   std::vector<std::size_t> next = count;
   scan(next);
-  const FaceList before = list;
+  const auto outer = static_cast<std::ptrdiff_t>(inner);
+  const std::vector<std::uint32_t> face(list.face.begin() + outer, list.face.end());
+  const std::vector<std::uint32_t> owner(list.owner.begin() + outer, list.owner.end());
   for (std::size_t i = 0; i < patch.size(); ++i)
   {
     const std::size_t to = inner + next[patch[i]]++;
-    list.face[to] = before.face[inner + i];
-    list.owner[to] = before.owner[inner + i];
+    list.face[to] = face[i];
+    list.owner[to] = owner[i];
   }
   return count;
 }

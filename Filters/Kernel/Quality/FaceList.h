@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/Execution.h"
+#include "Base/RawVector.h"
 
 #include <cstdint>
 #include <vector>
@@ -13,9 +14,9 @@ namespace cartesian
 // The faces of each cell. Cells, faces and points are fewer than 2^32 each.
 struct CellFaces
 {
-  std::vector<std::size_t> firstFace;   // of each cell, and the end
-  std::vector<std::size_t> firstCorner; // of each face, and the end
-  std::vector<std::uint32_t> corners;   // points in order around the face
+  RawVector<std::size_t> firstFace;   // of each cell, and the end
+  RawVector<std::size_t> firstCorner; // of each face, and the end
+  RawVector<std::uint32_t> corners;   // points in order around the face
 
   std::size_t cellCount() const { return firstFace.size() - 1; }
   std::size_t faceCount() const { return firstCorner.size() - 1; }

@@ -2,6 +2,7 @@
 #include "Repair/SurfaceDefects.h"
 
 #include "Base/Error.h"
+#include "Base/Sorting.h"
 #include "Repair/TrianglePairs.h"
 #include "Surface/Components.h"
 
@@ -114,14 +115,8 @@ public:
     listPairs(findFolds(given_, edges, execution_));
     listComponents();
     listHoles();
-    for (auto& kind : defects_)
-    {
-      result_.defects.insert(result_.defects.end(), kind.begin(), kind.end());
-    }
-    for (auto& kind : points_)
-    {
-      result_.points.insert(result_.points.end(), kind.begin(), kind.end());
-    }
+    result_.defects = concatenated(defects_);
+    result_.points = concatenated(points_);
     return std::move(result_);
   }
 
@@ -213,6 +208,10 @@ private:
   void listTriangles()
   {
     std::vector<bool> dropped(given_.triangles.size());
+    const auto k = static_cast<std::size_t>(DefectKind::DuplicateTriangle);
+    const std::size_t listed = std::min(repair_.duplicates.size(), SurfaceDefects::MostListed);
+    defects_[k].reserve(listed);
+    points_[k].reserve(3 * listed);
     for (const DroppedTriangle& d : repair_.duplicates)
     {
       dropped[d.triangle] = true;
@@ -351,8 +350,8 @@ private:
   const Meshlines& planes_;
   Execution& execution_;
   SurfaceDefects result_;
-  std::array<std::vector<Defect>, DefectKinds> defects_;
-  std::array<std::vector<Vector>, DefectKinds> points_;
+  std::vector<std::vector<Defect>> defects_{ DefectKinds }; // by kind
+  std::vector<std::vector<Vector>> points_{ DefectKinds };
 };
 
 std::string nameOf(const Defect& defect, const std::vector<long long>& cells)

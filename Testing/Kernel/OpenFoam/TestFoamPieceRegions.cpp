@@ -94,7 +94,7 @@ Cubes cubes(std::uint32_t begin, std::uint32_t end)
   }
   const std::vector<std::size_t> counts = sortByPatch(list, patch, 3);
   std::copy_n(counts.begin(), 2, result.ofBoundary.begin());
-  result.mesh = foamMesh(std::move(coordinates), cells, list, {});
+  result.mesh = foamMesh(std::move(coordinates), cells, std::move(list), {}, execution);
   return result;
 }
 

@@ -41,14 +41,16 @@ protected:
     FaceList faces;
     faces.face = { 0, 1, 2, 3 };
     faces.owner = { 0, 0, 0, 0 };
-    return foamMesh(points, cells, faces, { { first, 1 }, { "wall", 3 } });
+    Execution execution;
+    return foamMesh(points, cells, faces, { { first, 1 }, { "wall", 3 } }, execution);
   }
 
   fs::path write(FoamFormat format, const std::string& first = "a",
     const std::vector<double>& points = { 0, 0, 0, 0.1, 0, 0, 0, 1e-9, 0, 0, 0, 1 }) const
   {
     PolyMeshFiles files(folder, format);
-    files.write(tetrahedron(first, points));
+    Execution execution(4);
+    files.write(tetrahedron(first, points), {}, execution);
     const std::vector<fs::path> kept = files.replace();
     return kept.empty() ? fs::path() : kept.front();
   }
@@ -123,14 +125,15 @@ TEST_F(PolyMesh, AMeshOfOtherPatchesIsKept)
 TEST_F(PolyMesh, WhatIsNotPutInItsPlaceLeavesNothing)
 {
   const FoamMesh mesh = tetrahedron("a", std::vector<double>(12));
+  Execution execution;
   {
     PolyMeshFiles files(folder, FoamFormat::Ascii, { 1, 2 });
-    files.write(mesh, "gas");
+    files.write(mesh, "gas", execution);
     EXPECT_EQ(files.meshes().front().region, "gas");
   }
   EXPECT_TRUE(fs::is_empty(folder));
   write(FoamFormat::Ascii);
-  PolyMeshFiles(folder, FoamFormat::Ascii).write(mesh);
+  PolyMeshFiles(folder, FoamFormat::Ascii).write(mesh, {}, execution);
   EXPECT_FALSE(fs::exists(folder / "constant/polyMesh.unfinished"));
   EXPECT_EQ(read("points"), "4\n(\n(0 0 0)\n(0.1 0 0)\n(0 1e-09 0)\n(0 0 1)\n)\n");
 }

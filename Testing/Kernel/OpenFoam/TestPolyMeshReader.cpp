@@ -54,7 +54,8 @@ protected:
     fs::remove_all(folder);
     faces = listFaces(cells, Points.size() / 3, Clashes::Refused, execution);
     PolyMeshFiles files(folder, format);
-    files.write(foamMesh(Points, cells, faces, { { "wall", faces.owner.size() - 1 } }));
+    const std::size_t walls = faces.owner.size() - 1;
+    files.write(foamMesh(Points, cells, faces, { { "wall", walls } }, execution), {}, execution);
     files.replace();
   }
 
@@ -110,7 +111,7 @@ TEST_F(PolyMeshReader, ReadsWhatWasWritten)
     EXPECT_EQ(mesh.points, Points);
     EXPECT_EQ(mesh.faces.owner, faces.owner);
     EXPECT_EQ(mesh.faces.neighbour, std::vector<std::uint32_t>{ 1 });
-    EXPECT_EQ(mesh.cells.firstFace, (std::vector<std::size_t>{ 0, 6, 11 }));
+    EXPECT_EQ(mesh.cells.firstFace, (RawVector<std::size_t>{ 0, 6, 11 }));
     expectVolumes();
     // Each face is seen from outside its cells: the same list as of the cells themselves.
     const FaceList again = listFaces(mesh.cells, Points.size() / 3, Clashes::Refused, execution);

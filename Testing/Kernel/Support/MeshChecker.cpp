@@ -533,7 +533,8 @@ Quality qualityOf(const MeshArrays& mesh, std::optional<int> region)
     for (const Face& face : facesOf(mesh, cell))
     {
       faces.firstCorner.push_back(faces.corners.size());
-      faces.corners.insert(faces.corners.end(), face.begin(), face.end());
+      std::transform(face.begin(), face.end(), std::back_inserter(faces.corners),
+        [](auto point) { return static_cast<std::uint32_t>(point); });
     }
   }
   faces.firstFace.push_back(faces.firstCorner.size());
