@@ -7,6 +7,7 @@
 #include "Editing/WallEdges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -34,40 +35,75 @@ public:
   // False: there are too many.
   bool add(std::uint32_t node, double distance) { return nodes_.add({ node, distance }); }
 
-  // Once they are sorted.
+  // Once all nodes of the cell are added, some of them several times.
+  void index()
+  {
+    std::size_t slots = 64;
+    while (slots < 4 * nodes_.size() && slots < MostSlots)
+    {
+      slots *= 2;
+    }
+    mask_ = slots - 1;
+    std::fill(slots_.begin(), slots_.begin() + static_cast<std::ptrdiff_t>(slots), Empty);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+    {
+      std::uint16_t& slot = slotOf(nodes_[i].node);
+      if (slot == Empty)
+      {
+        nodes_[count] = nodes_[i];
+        slot = static_cast<std::uint16_t>(count++);
+      }
+    }
+    nodes_.resize(count);
+  }
+
+  // A new node, then.
   bool insert(std::uint32_t node, double distance)
   {
-    const bool isAdded = add(node, distance);
-    for (std::size_t i = nodes_.size() - 1; i > 0 && nodes_[i] < nodes_[i - 1]; --i)
+    const auto i = static_cast<std::uint16_t>(nodes_.size());
+    if (!add(node, distance))
     {
-      std::swap(nodes_[i], nodes_[i - 1]);
+      return false;
     }
-    return isAdded;
+    if (2 * nodes_.size() > mask_ && mask_ + 1 < MostSlots)
+    {
+      index();
+    }
+    else
+    {
+      slotOf(node) = i;
+    }
+    return true;
   }
 
-  void sort()
-  {
-    std::sort(nodes_.begin(), nodes_.end());
-    nodes_.resize(
-      static_cast<std::size_t>(std::unique(nodes_.begin(), nodes_.end()) - nodes_.begin()));
-  }
-
-  double& at(std::uint32_t node)
-  {
-    return std::lower_bound(nodes_.begin(), nodes_.end(), Side{ node, 0 })->distance;
-  }
+  double& at(std::uint32_t node) { return nodes_[slotOf(node)].distance; }
 
 private:
   struct Side
   {
     std::uint32_t node;
     double distance;
-
-    bool operator<(const Side& other) const { return node < other.node; }
-    bool operator==(const Side& other) const { return node == other.node; }
   };
 
-  FixedList<Side, 1024> nodes_;
+  static constexpr std::size_t MostNodes = 1024;
+  static constexpr std::size_t MostSlots = 2 * MostNodes;
+  static constexpr std::uint16_t Empty = 0xffff;
+
+  // Where a node's place in the list is, or would be.
+  std::uint16_t& slotOf(std::uint32_t node)
+  {
+    std::size_t slot = node & mask_;
+    while (slots_[slot] != Empty && nodes_[slots_[slot]].node != node)
+    {
+      slot = (slot + 1) & mask_;
+    }
+    return slots_[slot];
+  }
+
+  FixedList<Side, MostNodes> nodes_;
+  std::array<std::uint16_t, MostSlots> slots_; // of a hash table; as many as the mask says
+  std::size_t mask_ = 0;
 };
 
 class CellCutter
@@ -129,7 +165,7 @@ private:
         }
       }
     }
-    sides_.sort();
+    sides_.index();
     return true;
   }
 
@@ -209,6 +245,10 @@ private:
           return false;
         }
         hasEdge = hasEdge || isEdge;
+      }
+      if (hasEdge && !mesh_.areCellsFree(f))
+      {
+        return false;
       }
       if (hasEdge)
       {

@@ -53,7 +53,9 @@ bool hasTwin(const MeshView& mesh, std::uint32_t f)
 // Measures faces of other corners; their cells are dirty too.
 bool updateFaces(MeshEditor& mesh)
 {
-  for (std::size_t i = 0; i < mesh.dirty.faces.size(); ++i)
+  const bool areFree = std::all_of(mesh.dirty.faces.begin(), mesh.dirty.faces.end(),
+    [&](std::uint32_t f) { return mesh.face(f).gone || mesh.areCellsFree(f); });
+  for (std::size_t i = 0; areFree && i < mesh.dirty.faces.size(); ++i)
   {
     const std::uint32_t f = mesh.dirty.faces[i];
     if (mesh.face(f).gone)
@@ -68,17 +70,10 @@ bool updateFaces(MeshEditor& mesh)
     measureFace(mesh, f);
     for (const std::uint32_t c : { mesh.face(f).below, mesh.face(f).above })
     {
-      if (c != None)
-      {
-        if (!mesh.isFree(c))
-        {
-          return false;
-        }
-        mesh.dirty.cells.add(c);
-      }
+      c != None ? mesh.dirty.cells.add(c) : void();
     }
   }
-  return true;
+  return areFree;
 }
 
 template <class IsClosed>

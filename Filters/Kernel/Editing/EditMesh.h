@@ -323,6 +323,12 @@ public:
     return !cell(c).gone && cell(c).zone == zone_ && cell(c).state == CellState::Free;
   }
 
+  // Whether all cells of a face are.
+  bool areCellsFree(std::uint32_t f) const
+  {
+    return isFree(face(f).below) && (isWall(f) || isFree(face(f).above));
+  }
+
   const EditMesh& mesh() const { return *mesh_; }
   std::uint32_t zone() const { return zone_; }
 

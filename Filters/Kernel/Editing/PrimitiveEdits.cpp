@@ -33,11 +33,6 @@ bool isFrozen(const MeshView& mesh, std::uint32_t c)
   return c != None && !mesh.isFree(c);
 }
 
-bool touchesFrozen(const MeshView& mesh, std::uint32_t f)
-{
-  return isFrozen(mesh, mesh.face(f).below) || isFrozen(mesh, mesh.face(f).above);
-}
-
 bool haveSameCorners(const MeshView& mesh, std::uint32_t f, std::uint32_t g)
 {
   const Items corners = mesh.cornersOf(f);
@@ -130,7 +125,7 @@ bool replaceNode(MeshEditor& mesh, std::uint32_t u, std::uint32_t v, const Few& 
   for (const std::uint32_t f : faces)
   {
     Few ring;
-    if (touchesFrozen(mesh, f) || !copy(mesh.cornersOf(f), ring))
+    if (!mesh.areCellsFree(f) || !copy(mesh.cornersOf(f), ring))
     {
       return false;
     }
@@ -291,7 +286,7 @@ bool collapseEdge(MeshEditor& mesh, std::uint32_t u, std::uint32_t v, const Vect
   {
     for (const std::uint32_t f : mesh.facesAround(v))
     {
-      if (touchesFrozen(mesh, f))
+      if (!mesh.areCellsFree(f))
       {
         return false;
       }
@@ -309,7 +304,7 @@ bool joinFaces(MeshEditor& mesh, std::uint32_t f, std::uint32_t g)
   const bool isSame = x.below == y.below && x.above == y.above;
   const bool isTurned = x.below == y.above && x.above == y.below;
   if (f == g || x.gone || y.gone || (!isSame && !isTurned) || x.wall != y.wall ||
-    touchesFrozen(mesh, f))
+    !mesh.areCellsFree(f))
   {
     return false;
   }
@@ -358,7 +353,7 @@ bool passFace(MeshEditor& mesh, std::uint32_t c, std::uint32_t f, std::uint32_t 
   SharedRow row;
   if (f == g || over.gone || passed.gone || to == None || mesh.isSurface(f) ||
     mesh.beyond(g, c) == to || mesh.cell(to).region != mesh.cell(c).region ||
-    touchesFrozen(mesh, f) || touchesFrozen(mesh, g) || !copy(mesh.cornersOf(f), a) ||
+    !mesh.areCellsFree(f) || !mesh.areCellsFree(g) || !copy(mesh.cornersOf(f), a) ||
     !copy(mesh.cornersOf(g), b))
   {
     return false;
@@ -392,7 +387,7 @@ std::uint32_t splitFace(MeshEditor& mesh, std::uint32_t f, std::size_t i, std::s
   assert(isThere(mesh, f));
   assert(i < mesh.cornersOf(f).size() && j < mesh.cornersOf(f).size());
   Few ring;
-  if (touchesFrozen(mesh, f) || !copy(mesh.cornersOf(f), ring))
+  if (!mesh.areCellsFree(f) || !copy(mesh.cornersOf(f), ring))
   {
     return None;
   }
