@@ -46,12 +46,12 @@ public:
     mask_ = slots - 1;
     std::fill(slots_.begin(), slots_.begin() + static_cast<std::ptrdiff_t>(slots), Empty);
     std::size_t count = 0;
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
+    for (const Side& node : nodes_)
     {
-      std::uint16_t& slot = slotOf(nodes_[i].node);
+      std::uint16_t& slot = slotOf(node.node);
       if (slot == Empty)
       {
-        nodes_[count] = nodes_[i];
+        nodes_[count] = node;
         slot = static_cast<std::uint16_t>(count++);
       }
     }
