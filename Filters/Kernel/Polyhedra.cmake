@@ -26,6 +26,7 @@ add_library(CartesianPolyhedra STATIC
   Base/HelperThreads.cpp
   Base/OutputFile.cpp
   Base/Recording.cpp
+  Base/TaskOrder.cpp
   Lattice/Crossing.cpp
   Lattice/ExactFit.cpp
   Lattice/Lattice.cpp

@@ -42,7 +42,7 @@ Times timesOf(const Recording::Step& step)
   (step.isLoop ? times.loops : times.serial) =
     std::accumulate(step.tasks.begin(), step.tasks.end(), 0.0);
   std::transform(std::begin(Threads), std::end(Threads), times.on,
-    [&](std::size_t threads) { return secondsOn(threads, step.tasks); });
+    [&](std::size_t threads) { return secondsOn(threads, step); });
   return times;
 }
 

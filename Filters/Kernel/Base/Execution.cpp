@@ -2,6 +2,7 @@
 #include "Base/Execution.h"
 
 #include "Base/Recording.h"
+#include "Base/TaskOrder.h"
 
 #include <algorithm>
 #include <chrono>
@@ -181,36 +182,40 @@ void Execution::forEach(std::size_t count, std::size_t grain,
   });
 }
 
+void Execution::forEachInOrder(const std::vector<std::vector<std::uint32_t>>& after,
+  const std::function<void(std::uint32_t task)>& work)
+{
+  if (recording_)
+  {
+    recording_->beginTasks(after);
+  }
+  TaskOrder order(after);
+  const auto loop = [&](bool monitored) {
+    while (!order.haveAllBegun())
+    {
+      if (const std::uint32_t task = order.begin(LongestSilence); task != TaskOrder::None)
+      {
+        work(task);
+        order.end(task);
+        recording_ ? recording_->endTask() : void();
+      }
+      if (monitored)
+      {
+        advance(static_cast<double>(order.ended()) / static_cast<double>(after.size()));
+        askIfTime(true);
+      }
+    }
+  };
+  runOnThreads(std::min<std::size_t>(threads_, after.size()), loop, [&] { order.cancel(); });
+}
+
 void Execution::run(std::size_t count, std::size_t grain,
   const std::function<void(std::size_t begin, std::size_t end)>& work)
 {
   std::atomic<std::size_t> next{ 0 };
-  std::atomic<bool> failed{ false };
-  std::exception_ptr failure;
-  std::mutex mutex;
-
-  const auto attempt = [&](auto&& part) {
-    try
-    {
-      part();
-    }
-    catch (...)
-    {
-      const std::lock_guard<std::mutex> lock(mutex);
-      if (!failed.exchange(true))
-      {
-        failure = std::current_exception();
-      }
-    }
-  };
   const auto loop = [&](bool monitored) {
-    while (!failed)
+    for (std::size_t begin = next.fetch_add(grain); begin < count; begin = next.fetch_add(grain))
     {
-      const std::size_t begin = next.fetch_add(grain);
-      if (begin >= count)
-      {
-        return;
-      }
       work(begin, std::min(begin + grain, count));
       if (monitored)
       {
@@ -219,11 +224,33 @@ void Execution::run(std::size_t count, std::size_t grain,
       }
     }
   };
+  runOnThreads(std::min<std::size_t>(threads_, chunks(count, grain)), loop, [&] { next = count; });
+}
 
+// `loop` returns once nothing is left to begin, which `cancel` makes so.
+void Execution::runOnThreads(std::size_t most, const std::function<void(bool monitored)>& loop,
+  const std::function<void()>& cancel)
+{
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto attempt = [&](auto&& part) {
+    try
+    {
+      part();
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (!failure)
+      {
+        failure = std::current_exception();
+      }
+      cancel();
+    }
+  };
   loop_ = { loop_.end, loop_.end + share_ * (stageEnd_ - loop_.end) };
   share_ = 0;
   const std::function<void()> help = [&] { attempt([&] { loop(false); }); };
-  const std::size_t most = std::min<std::size_t>(threads_, chunks(count, grain));
   if (most > 1)
   {
     helpers_.begin(most - 1, help);

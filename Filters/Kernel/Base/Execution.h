@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -79,6 +80,12 @@ public:
   void forEach(std::size_t count, std::size_t grain,
     const std::function<void(std::size_t begin, std::size_t end)>& work);
 
+  // Calls work(task) for the tasks 0, 1, ... on all threads, each as soon as those in `after` of it have ended, without
+  // waiting for others. `after`: of each task, lower numbers, ascending. Ready tasks begin in order. An exception ends it
+  // as in forEach; tasks that may take longer than a tenth of a second poll.
+  void forEachInOrder(const std::vector<std::vector<std::uint32_t>>& after,
+    const std::function<void(std::uint32_t task)>& work);
+
 private:
   struct WorkRange
   {
@@ -94,6 +101,8 @@ private:
   void waitForHelpers();
   void run(std::size_t count, std::size_t grain,
     const std::function<void(std::size_t begin, std::size_t end)>& work);
+  void runOnThreads(std::size_t most, const std::function<void(bool monitored)>& loop,
+    const std::function<void()>& cancel);
 
   int threads_;
   HelperThreads helpers_;

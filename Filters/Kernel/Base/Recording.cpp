@@ -6,6 +6,7 @@
 #include <functional>
 #include <istream>
 #include <ostream>
+#include <queue>
 #include <sstream>
 
 namespace cartesian
@@ -17,12 +18,27 @@ namespace
 constexpr const char* StageWord = "stage";
 constexpr const char* SerialWord = "serial";
 constexpr const char* LoopWord = "loop";
+constexpr const char* AfterWord =
+  "after"; // of the loop before it, the next task: what it waits for
 
 double processorTime()
 {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+void writeOrder(std::ostream& file, const TaskOrder::After& after)
+{
+  for (const auto& tasks : after)
+  {
+    file << AfterWord;
+    for (const std::uint32_t task : tasks)
+    {
+      file << ' ' << task;
+    }
+    file << '\n';
+  }
 }
 
 }
@@ -41,7 +57,13 @@ void Recording::stage(const std::string& name)
 void Recording::beginLoop()
 {
   endStep();
-  steps_.push_back({ stages_.size() - 1, true, {} });
+  steps_.push_back({ stages_.size() - 1, true, {}, {} });
+}
+
+void Recording::beginTasks(const TaskOrder::After& after)
+{
+  endStep();
+  steps_.push_back({ stages_.size() - 1, true, {}, after });
 }
 
 void Recording::endTask()
@@ -64,7 +86,7 @@ double Recording::lap()
 
 void Recording::endStep()
 {
-  steps_.push_back({ stages_.size() - 1, false, { lap() } });
+  steps_.push_back({ stages_.size() - 1, false, { lap() }, {} });
 }
 
 void Recording::write(std::ostream& file) const
@@ -83,6 +105,7 @@ void Recording::write(std::ostream& file) const
       file << ' ' << seconds;
     }
     file << '\n';
+    writeOrder(file, step.after);
   }
 }
 
@@ -100,7 +123,16 @@ Recording Recording::read(std::istream& file)
       std::getline(words >> std::ws, recording.stages_.back());
       continue;
     }
-    recording.steps_.push_back({ recording.stages_.size() - 1, word == LoopWord, {} });
+    if (word == AfterWord)
+    {
+      recording.steps_.back().after.emplace_back();
+      for (std::uint32_t task = 0; words >> task;)
+      {
+        recording.steps_.back().after.back().push_back(task);
+      }
+      continue;
+    }
+    recording.steps_.push_back({ recording.stages_.size() - 1, word == LoopWord, {}, {} });
     for (double seconds = 0; words >> seconds;)
     {
       recording.steps_.back().tasks.push_back(seconds);
@@ -109,16 +141,24 @@ Recording Recording::read(std::istream& file)
   return recording;
 }
 
-double secondsOn(std::size_t threads, const std::vector<double>& tasks)
+double secondsOn(std::size_t threads, const Recording::Step& step)
 {
-  std::vector<double> free(std::max<std::size_t>(threads, 1)); // a heap, the next to be free first
-  for (const double seconds : tasks)
+  TaskOrder order(step.after.empty() ? TaskOrder::After(step.tasks.size()) : step.after);
+  using Running = std::pair<double, std::uint32_t>; // when it ends
+  std::priority_queue<Running, std::vector<Running>, std::greater<>> running;
+  double now = 0;
+  for (std::size_t ended = 0; ended < step.tasks.size(); ++ended)
   {
-    std::pop_heap(free.begin(), free.end(), std::greater<>());
-    free.back() += seconds;
-    std::push_heap(free.begin(), free.end(), std::greater<>());
+    for (std::uint32_t task = 0; running.size() < std::max<std::size_t>(threads, 1) &&
+         (task = order.begin(0)) != TaskOrder::None;)
+    {
+      running.emplace(now + step.tasks[task], task);
+    }
+    now = running.top().first;
+    order.end(running.top().second);
+    running.pop();
   }
-  return *std::max_element(free.begin(), free.end());
+  return now;
 }
 
 }

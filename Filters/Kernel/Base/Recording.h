@@ -3,6 +3,8 @@
 // the same work would take on any number of threads.
 #pragma once
 
+#include "Base/TaskOrder.h"
+
 #include <cstddef>
 #include <iosfwd>
 #include <string>
@@ -23,6 +25,7 @@ public:
     std::size_t stage;
     bool isLoop;
     std::vector<double> tasks; // seconds of each chunk
+    TaskOrder::After after;    // of tasks in order (Execution::forEachInOrder); empty: in any
   };
 
   Recording(); // begins
@@ -30,6 +33,7 @@ public:
   // What an Execution calls.
   void stage(const std::string& name);
   void beginLoop();
+  void beginTasks(const TaskOrder::After& after);
   void endTask();
 
   void end();
@@ -49,7 +53,7 @@ private:
   double last_; // seconds, when the last task ended
 };
 
-// Seconds until the last of some tasks is done, if each thread takes the next one whenever it is free.
-double secondsOn(std::size_t threads, const std::vector<double>& tasks);
+// Seconds until the last of a step's tasks is done, if each thread takes the next one whenever it is free.
+double secondsOn(std::size_t threads, const Recording::Step& step);
 
 }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <queue>
 
 namespace cartesian
@@ -24,58 +23,6 @@ constexpr double QuietFace =
 constexpr double LargeCell = 1.3; // of its box
 constexpr std::size_t NodesOfCell = 8;
 constexpr std::size_t ItemsAPoll = 4; // one takes up to 20 ms in a cell with very many faces
-
-// Failed proposals, by what they were and the versions of the cells that they look at. A later one may push one out.
-class FailedProposals
-{
-public:
-  FailedProposals()
-    : entries_(Size)
-  {
-  }
-
-  // Whether it has failed; else it is noted as if it had.
-  bool contains(const Proposal& proposal, std::uint32_t version)
-  {
-    const std::uint64_t key = keyOf(proposal);
-    Entry& entry = entries_[key >> Shift];
-    const bool isKnown = entry.key == key && entry.version == version;
-    entry = { key, version };
-    return isKnown;
-  }
-
-private:
-  struct Entry
-  {
-    std::uint64_t key = 0;
-    std::uint32_t version = 0;
-  };
-
-  static constexpr std::size_t Size = std::size_t(1) << 16;
-  static constexpr unsigned Shift = 64 - 16;
-
-  static std::uint64_t keyOf(const Proposal& proposal)
-  {
-    constexpr std::uint64_t Odd = 0x9E3779B97F4A7C15U;
-    std::uint64_t key = static_cast<std::uint64_t>(proposal.kind) + 1;
-    const auto mix = [&](std::uint64_t part) { key = (key ^ part) * Odd + (key >> 29); };
-    mix(proposal.a);
-    mix(proposal.b);
-    mix(proposal.c);
-    for (const Vector* v : { &proposal.at, &proposal.normal })
-    {
-      for (const double x : *v)
-      {
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, &x, sizeof(bits));
-        mix(bits);
-      }
-    }
-    return key;
-  }
-
-  std::vector<Entry> entries_;
-};
 
 // A face or a cell that costs too much.
 struct Item
@@ -100,10 +47,12 @@ public:
     , mesh_(task.mesh)
     , spec_(spec)
     , trials_(task.mesh, spec.rules)
+    , memory_(task.memory)
   {
+    memory_.begin();
     for (const std::uint32_t c : task.cells)
     {
-      isHere_[c] = 1;
+      memory_.here.mark(c);
     }
   }
 
@@ -115,8 +64,13 @@ public:
       push({ 0, true, c });
     }
     task_.forEachFace([&](std::uint32_t f) { push({ 0, false, f }); });
-    while (!queue_.empty())
+    while (!queue_.empty() || !later_.empty())
     {
+      if (queue_.empty())
+      {
+        takeLater();
+        continue;
+      }
       const Item item = queue_.top();
       queue_.pop();
       if (isDone(item))
@@ -133,13 +87,6 @@ public:
   }
 
 private:
-  // What items cost when nothing helped.
-  struct FailedAt
-  {
-    Zeroes<float> faces;
-    Zeroes<float> cells;
-  };
-
   // By the edit that was made last.
   struct Changed
   {
@@ -162,13 +109,36 @@ private:
   void push(Item item)
   {
     item.cost = costOf(item);
+    if (isWanted(item))
+    {
+      wasHopeless(item) ? later_.push_back(item) : queue_.push(item);
+    }
+  }
+
+  bool isWanted(const Item& item) const
+  {
     const bool fails =
       item.isCell ? mesh_.cell(item.number).strains : mesh_.face(item.number).fails > 0;
-    const bool isWanted = (!spec_.failingOnly || fails) && mayChange(item);
-    if (isWanted && item.cost > spec_.leastCost)
+    return item.cost > spec_.leastCost && (!spec_.failingOnly || fails) && mayChange(item);
+  }
+
+  // What nothing helped waits until all else is done: most of what changes near it does not help it either.
+  bool wasHopeless(const Item& item) const
+  {
+    return (item.isCell ? memory_.hopelessCells : memory_.hopelessFaces).contains(item.number);
+  }
+
+  void takeLater()
+  {
+    for (Item& item : later_)
     {
-      queue_.push(item);
+      item.cost = costOf(item);
+      if (isWanted(item))
+      {
+        queue_.push(item);
+      }
     }
+    later_.clear();
   }
 
   bool mayChange(const Item& item) const
@@ -183,14 +153,14 @@ private:
 
   float& failedAt(const Item& item)
   {
-    return (item.isCell ? failedAt_.cells : failedAt_.faces)[item.number];
+    return (item.isCell ? memory_.failedCells : memory_.failedFaces)[item.number];
   }
 
   // It costs something else now, or did not get better when it cost about as much.
   bool isDone(const Item& item)
   {
     const std::uint32_t c = item.isCell ? item.number : mesh_.face(item.number).below;
-    return costOf(item) != item.cost || task_.isDeferred(c, isHere_.at(c) != 0) ||
+    return costOf(item) != item.cost || task_.isDeferred(c, memory_.here.contains(c)) ||
       std::abs(double(failedAt(item)) - item.cost) < Retried * item.cost;
   }
 
@@ -216,6 +186,7 @@ private:
     if (!(gained > NoGain) || !make(best)) // or a cell would not close
     {
       failedAt(item) = static_cast<float>(item.cost);
+      (item.isCell ? memory_.hopelessCells : memory_.hopelessFaces).mark(item.number);
     }
   }
 
@@ -229,7 +200,7 @@ private:
     double gained = NoGain;
     for (const Proposal& proposal : proposals_)
     {
-      if (failed_.contains(proposal, versionOf(proposal)))
+      if (memory_.failed.contains(proposal, versionOf(proposal)))
       {
         continue;
       }
@@ -362,10 +333,10 @@ private:
     {
       return;
     }
-    ++versions_[c];
+    ++memory_.versions[c];
   }
 
-  std::uint32_t versionOfCell(std::uint32_t c) const { return versions_.at(c); }
+  std::uint32_t versionOfCell(std::uint32_t c) const { return memory_.versions.at(c); }
 
   std::uint32_t versionOfFace(std::uint32_t f) const
   {
@@ -405,12 +376,10 @@ private:
   MeshEditor& mesh_;
   const LoopSpec& spec_;
   ProposalTrials trials_;
-  Zeroes<std::uint8_t> isHere_; // cells of the task
+  LoopMemory& memory_;
   std::priority_queue<Item> queue_;
-  FailedProposals failed_;
+  std::vector<Item> later_;
   Proposals proposals_;
-  FailedAt failedAt_;
-  Zeroes<std::uint32_t> versions_; // of cells
   Changed changed_;
   std::vector<MadeEdit> edits_;
   std::size_t items_ = 0; // looked at

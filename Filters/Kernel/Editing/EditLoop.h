@@ -8,7 +8,7 @@
 #pragma once
 
 #include "Cells/RemovedCell.h"
-#include "Editing/EditZones.h"
+#include "Editing/EditBlocks.h"
 #include "Editing/ProposalTrials.h"
 
 namespace cartesian

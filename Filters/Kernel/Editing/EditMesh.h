@@ -12,6 +12,7 @@
 #include "Base/RawVector.h"
 #include "Boxes/LocalBox.h"
 #include "Cells/SmallCellSpec.h"
+#include "Editing/EditBlockDivision.h"
 #include "Editing/SharpRule.h"
 #include "Lattice/Vector.h"
 
@@ -123,7 +124,8 @@ struct CellOrigin
   double edge = 1;               // ... and that of a cube's edge
   std::uint32_t number = None;   // a CellKey, or None: made here
   std::uint32_t boxIndex = None; // its box (Boxes)
-  std::int32_t wall = 0;         // of its largest part of the surface
+  BoxPlace place;
+  std::int32_t wall = 0; // of its largest part of the surface
   std::int32_t region = 0;
 };
 
@@ -205,7 +207,7 @@ struct UnsetAllocator : RawAllocator<Record>
 template <class Record>
 using RecordVector = std::vector<Record, UnsetAllocator<Record>>;
 
-// The mesh itself, which several editors may change at the same time: each in a zone of its own (EditZones.h).
+// The mesh itself, which several editors may change at the same time: each in a zone of its own (EditBlocks.h).
 struct EditMesh
 {
   static constexpr double Beyond = 1e30;
@@ -331,6 +333,9 @@ public:
 
   const EditMesh& mesh() const { return *mesh_; }
   std::uint32_t zone() const { return zone_; }
+
+protected:
+  void setZone(std::uint32_t zone) { zone_ = zone; }
 
 private:
   const EditMesh* mesh_;

@@ -54,6 +54,14 @@ MeshEditor::MeshEditor(EditMesh& mesh, std::uint32_t zone, std::uint16_t arena, 
 {
 }
 
+void MeshEditor::enter(std::uint32_t zone, std::uint16_t arena, FreeSlots slots)
+{
+  setZone(zone);
+  arena_ = arena;
+  slots_ = std::move(slots);
+  mostItems_ = MostItems;
+}
+
 std::uint32_t MeshEditor::addNode(const EditNode& node)
 {
   edited_->nodes.push_back(node);

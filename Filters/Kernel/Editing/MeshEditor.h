@@ -3,11 +3,10 @@
 #pragma once
 
 #include "Editing/EditMesh.h"
+#include "Editing/Zeroes.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
-#include <new>
 #include <utility>
 #include <vector>
 
@@ -34,45 +33,6 @@ struct EditDelta
     inverted += sign * int(face.inverted);
     skew += sign * int(face.skew);
   }
-};
-
-// Zeroes by number, of which only the pages that are written take memory: each editor has some for the whole mesh.
-template <class T>
-class Zeroes
-{
-public:
-  T& operator[](std::uint32_t i)
-  {
-    if (i >= size_)
-    {
-      grow(i);
-    }
-    return at_.get()[i];
-  }
-  T at(std::uint32_t i) const { return i < size_ ? at_.get()[i] : T(0); }
-
-private:
-  struct Free
-  {
-    void operator()(T* at) const { std::free(at); }
-  };
-  using Array = std::unique_ptr<T, Free>;
-
-  void grow(std::uint32_t i)
-  {
-    const std::size_t size = std::size_t(i) + i / 2 + 1024;
-    Array grown(static_cast<T*>(std::calloc(size, sizeof(T))));
-    if (!grown)
-    {
-      throw std::bad_alloc();
-    }
-    std::copy_n(at_.get(), size_, grown.get());
-    at_ = std::move(grown);
-    size_ = size;
-  }
-
-  Array at_;
-  std::size_t size_ = 0;
 };
 
 // Numbers, each once, until they are cleared.
@@ -130,6 +90,9 @@ public:
 
   // Of a zone; what it makes has these numbers, and its lists are in this arena.
   MeshEditor(EditMesh& mesh, std::uint32_t zone, std::uint16_t arena, FreeSlots slots);
+
+  // From now on of another zone, with lists in another arena.
+  void enter(std::uint32_t zone, std::uint16_t arena, FreeSlots slots);
 
   // --- building: before the first mark, of a mesh of its own
 
@@ -317,7 +280,8 @@ private:
   FreeSlots slots_;
   Journal journal_;
   Stamps stamps_;
-  std::size_t mostItems_ = std::size_t(1) << 24; // of the arena, before lists are moved together
+  static constexpr std::size_t MostItems = std::size_t(1) << 24;
+  std::size_t mostItems_ = MostItems; // of the arena, before lists are moved together
 };
 
 }

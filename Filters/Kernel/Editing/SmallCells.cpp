@@ -25,7 +25,7 @@ public:
 
   void take(std::uint32_t c)
   {
-    if (!isSmall(c))
+    if (!mesh_.isFree(c) || !isSmallCell(mesh_, c))
     {
       return;
     }
@@ -37,13 +37,6 @@ public:
   }
 
 private:
-  bool isSmall(std::uint32_t c) const
-  {
-    const EditCell& cell = mesh_.cell(c);
-    const SmallCellSpec& spec = mesh_.mesh().small;
-    return mesh_.isFree(c) && cell.volume < ratioOf(spec, cell.wall, spec.ratio) * cell.boxVolume;
-  }
-
   // Into the neighbour where that costs least.
   bool merge(std::uint32_t c)
   {
@@ -79,6 +72,13 @@ private:
   std::vector<MadeEdit>& edits_;
 };
 
+}
+
+bool isSmallCell(const MeshView& mesh, std::uint32_t c)
+{
+  const EditCell& cell = mesh.cell(c);
+  const SmallCellSpec& spec = mesh.mesh().small;
+  return cell.volume < ratioOf(spec, cell.wall, spec.ratio) * cell.boxVolume;
 }
 
 void mergeOrRemoveSmallCells(

@@ -7,7 +7,10 @@
 namespace cartesian
 {
 
-// By EditMesh::small. `removes`: those that no neighbour can take. Costs are valid before and afterwards. Appends what was
+// By EditMesh::small.
+bool isSmallCell(const MeshView& mesh, std::uint32_t c);
+
+// All small ones. `removes`: those that no neighbour can take. Costs are valid before and afterwards. Appends what was
 // done.
 void mergeOrRemoveSmallCells(
   const ZoneTask& task, const EditRules& rules, bool removes, std::vector<MadeEdit>& edits);

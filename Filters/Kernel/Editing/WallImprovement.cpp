@@ -2,8 +2,8 @@
 #include "Editing/WallImprovement.h"
 
 #include "Base/Sorting.h"
+#include "Editing/EditBlocks.h"
 #include "Editing/EditMeasures.h"
-#include "Editing/EditZones.h"
 #include "Editing/FlatFaces.h"
 #include "Editing/NodePlaces.h"
 #include "Editing/RefusalEnding.h"
@@ -100,6 +100,14 @@ constexpr double LongestSnapped = 0.5; // in boxes
 // From here on a face may cost thoroughLoop()'s leastCost, with costs in full.
 constexpr double MuchCost = 3.5;
 
+// How much is edited at once, as measured: where cells only are simplified, or cost a bit, edits reach no farther than two
+// boxes; what fails takes four (three leave twice as much of it). Wide blocks have fewer cells around them, small ones wait
+// for less; walls that are simplified in small ones lean more.
+constexpr std::uint32_t AnyWeight = ~std::uint32_t(0);
+constexpr EditBlockSize SimplifiedAtOnce{ 16, 2, AnyWeight };
+constexpr EditBlockSize ImprovedAtOnce{ 8, 2, 200 };
+constexpr EditBlockSize MendedAtOnce{ 8, 4, AnyWeight };
+
 // What faces cost by another specification. Those of a zone that cost next to nothing cost the same.
 void rescaleCosts(const ZoneTask& task, const ObjectiveSpec& from, const ObjectiveSpec& to)
 {
@@ -147,7 +155,10 @@ void improveFailing(const ZoneTask& task, const Loops& loops, const std::functio
   }
 }
 
-std::vector<std::uint32_t> refusedCells(EditMesh& whole, Execution& execution)
+// In order.
+template <class Predicate>
+std::vector<std::uint32_t> findCells(
+  const EditMesh& whole, Execution& execution, Predicate&& isWanted)
 {
   constexpr std::size_t CellsAChunk = 1024;
   std::vector<std::vector<std::uint32_t>> ofChunks(chunks(whole.cells.size(), CellsAChunk));
@@ -155,13 +166,29 @@ std::vector<std::uint32_t> refusedCells(EditMesh& whole, Execution& execution)
     const MeshView mesh(whole);
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c)
     {
-      if (!mesh.cell(c).gone && !mesh.isGhost(c) && isRefused(mesh, c))
+      if (!mesh.cell(c).gone && !mesh.isGhost(c) && isWanted(mesh, c))
       {
         ofChunks[begin / CellsAChunk].push_back(c);
       }
     }
   });
   return concatenated(ofChunks);
+}
+
+// Whether the loops find anything to do in it.
+bool isPoor(const MeshView& mesh, std::uint32_t c, double leastCost)
+{
+  const Items faces = mesh.facesOf(c);
+  return mesh.cell(c).cost > leastCost || isSmallCell(mesh, c) ||
+    std::any_of(
+      faces.begin(), faces.end(), [&](std::uint32_t f) { return mesh.face(f).cost > leastCost; });
+}
+
+bool hasFailingFace(const MeshView& mesh, std::uint32_t c)
+{
+  const Items faces = mesh.facesOf(c);
+  return std::any_of(
+    faces.begin(), faces.end(), [&](std::uint32_t f) { return mesh.face(f).fails > 0; });
 }
 
 // Refused cells that touch themselves, and those around that do, may change from now on.
@@ -190,60 +217,181 @@ void improveMade(const ZoneTask& task, const Loops& loops, const std::function<v
   for (const Items cells :
     { Items{ task.cells.data(), task.cells.data() + task.cells.size() }, made })
   {
-    std::copy_if(cells.begin(), cells.end(), std::back_inserter(poor), [&](std::uint32_t c) {
-      const Items faces = mesh.facesOf(c);
-      return mesh.isFree(c) && std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
-        return mesh.face(f).fails > 0;
-      });
-    });
+    std::copy_if(cells.begin(), cells.end(), std::back_inserter(poor),
+      [&](std::uint32_t c) { return mesh.isFree(c) && hasFailingFace(mesh, c); });
   }
   if (!poor.empty())
   {
-    const ZoneTask again{ task.mesh, poor, task.zone, task.isDone };
+    const ZoneTask again = task.with(poor);
     append(edits, improve(again, loops.general, poll));
     improveFailing(again, loops, poll, edits);
   }
   const std::vector<std::uint32_t> all(mesh.madeCells().begin(), mesh.madeCells().end());
-  mergeOrRemoveSmallCells(
-    { task.mesh, all, task.zone, task.isDone }, loops.general.rules, loops.removes, edits);
+  mergeOrRemoveSmallCells(task.with(all), loops.general.rules, loops.removes, edits);
 }
 
-// Whatever solvers still refuse.
-void endAll(EditMesh& whole, Loops loops, Execution& execution, std::vector<MadeEdit>& edits)
+class WallImprover
 {
-  for (LoopSpec* spec : { &loops.general, &loops.thorough, &loops.last })
+public:
+  WallImprover(EditMesh& whole, const ImprovementSpec& spec, Execution& execution)
+    : whole_(whole)
+    , spec_(spec)
+    , execution_(execution)
+    , poll_([&] { execution.poll(); })
+    , loops_(spec)
+    , blocks_(whole, execution)
   {
-    spec->rules.mayTrade = false;
   }
-  constexpr int Rounds = 5;
-  const auto poll = [&] { execution.poll(); };
-  std::vector<RemovedPiece> removed;
-  std::mutex mutex;
-  for (int round = 0; round < Rounds; ++round)
+
+  std::vector<MadeEdit> run()
   {
-    const std::vector<std::uint32_t> cells = refusedCells(whole, execution);
-    if (cells.empty())
+    simplify();
+    if (spec_.improves())
     {
-      return;
-    }
-    thaw(whole, cells);
-    std::vector<RemovedPiece> all = removed;
-    editInGroups(whole, execution, cells, [&](const ZoneTask& task) {
-      std::vector<MadeEdit> ofZone;
-      std::vector<RemovedPiece> pieces = removed;
-      endRefusals(task, loops.general.rules, loops.removes, pieces, ofZone, poll);
-      if (round + 1 < Rounds)
+      pay();
+      improvePoor();
+      mend();
+      if (spec_.movesNodes)
       {
-        improveMade(task, loops, poll, ofZone);
+        centreWalls(whole_, usual(), execution_);
       }
-      const std::lock_guard<std::mutex> lock(mutex);
-      edits.insert(edits.end(), ofZone.begin(), ofZone.end());
-      all.insert(all.end(), pieces.begin() + std::ptrdiff_t(removed.size()), pieces.end());
-    });
-    removed = std::move(all);
-    std::sort(removed.begin(), removed.end());
+      pay();
+      if (spec_.mayChangeWalls)
+      {
+        endAll();
+      }
+    }
+    blocks_.finish();
+    if (spec_.improves())
+    {
+      separateNodes(whole_, usual(), execution_);
+    }
+    keep(removeFlatFaces(whole_, loops_.general.rules, execution_));
+    sortAll(edits_, execution_); // blocks end in any order
+    return std::move(edits_);
   }
-}
+
+private:
+  const ObjectiveSpec& usual() const { return loops_.general.rules.objective; }
+
+  void keep(const std::vector<MadeEdit>& ofBlock)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    append(edits_, ofBlock);
+  }
+
+  void pay()
+  {
+    if (spec_.trueVolume)
+    {
+      redistributeVolume(whole_, usual(), execution_);
+    }
+  }
+
+  void simplify()
+  {
+    SnapSpec snap;
+    snap.length = std::min(3 * spec_.collapseRatio, LongestSnapped);
+    blocks_.edit(SimplifiedAtOnce, [&](const ZoneTask& task) {
+      if (spec_.improves() && (spec_.mayChangeWalls || spec_.collapseRatio > 0))
+      {
+        simplifyWalls(task, SimplificationSpec(), loops_.general.rules, poll_);
+      }
+      snapEdges(task, loops_.general.rules, snap, poll_);
+    });
+  }
+
+  std::vector<std::uint32_t> poorCells(double leastCost)
+  {
+    return findCells(whole_, execution_,
+      [&](const MeshView& mesh, std::uint32_t c) { return isPoor(mesh, c, leastCost); });
+  }
+
+  void improvePoor()
+  {
+    blocks_.edit(poorCells(loops_.general.leastCost), ImprovedAtOnce, [&](const ZoneTask& task) {
+      std::vector<MadeEdit> edits;
+      if (!spec_.mayChangeWalls)
+      {
+        mergeSmall(task, false, edits); // what edges could not take
+      }
+      append(edits, improve(task, loops_.general, poll_));
+      keep(edits);
+    });
+  }
+
+  // What still costs much; then what fails even so, with its surroundings as they are by then.
+  void mend()
+  {
+    blocks_.edit(poorCells(MuchCost), MendedAtOnce, [&](const ZoneTask& task) {
+      std::vector<MadeEdit> edits;
+      improveFailing(task, loops_, poll_, edits);
+      mergeSmall(task, spec_.removesCells, edits);
+      keep(edits);
+    });
+    constexpr int Looks = 2;
+    for (int look = 0; look < Looks; ++look)
+    {
+      blocks_.edit(
+        findCells(whole_, execution_, hasFailingFace), MendedAtOnce, [&](const ZoneTask& task) {
+          std::vector<MadeEdit> edits = improve(task, loops_.general, poll_);
+          improveFailing(task, loops_, poll_, edits);
+          mergeSmall(task, spec_.removesCells, edits);
+          keep(edits);
+        });
+    }
+  }
+
+  void mergeSmall(const ZoneTask& task, bool removes, std::vector<MadeEdit>& edits) const
+  {
+    mergeOrRemoveSmallCells(task, loops_.general.rules, removes, edits);
+  }
+
+  // Whatever solvers still refuse.
+  void endAll()
+  {
+    constexpr int Rounds = 5;
+    Loops loops = loops_;
+    for (LoopSpec* spec : { &loops.general, &loops.thorough, &loops.last })
+    {
+      spec->rules.mayTrade = false;
+    }
+    std::vector<RemovedPiece> removed;
+    for (int round = 0; round < Rounds; ++round)
+    {
+      const std::vector<std::uint32_t> cells = findCells(whole_, execution_, isRefused);
+      if (cells.empty())
+      {
+        return;
+      }
+      thaw(whole_, cells);
+      std::vector<RemovedPiece> all = removed;
+      blocks_.edit(cells, MendedAtOnce, [&](const ZoneTask& task) {
+        std::vector<MadeEdit> edits;
+        std::vector<RemovedPiece> pieces = removed;
+        endRefusals(task, loops.general.rules, loops.removes, pieces, edits, poll_);
+        if (round + 1 < Rounds)
+        {
+          improveMade(task, loops, poll_, edits);
+        }
+        keep(edits);
+        const std::lock_guard<std::mutex> lock(mutex_);
+        all.insert(all.end(), pieces.begin() + std::ptrdiff_t(removed.size()), pieces.end());
+      });
+      removed = std::move(all);
+      std::sort(removed.begin(), removed.end());
+    }
+  }
+
+  EditMesh& whole_;
+  const ImprovementSpec& spec_;
+  Execution& execution_;
+  const std::function<void()> poll_;
+  const Loops loops_;
+  BlockEditing blocks_;
+  std::mutex mutex_; // of
+  std::vector<MadeEdit> edits_;
+};
 
 }
 
@@ -251,63 +399,10 @@ std::vector<MadeEdit> improveWall(
   MeshEditor& mesh, const ImprovementSpec& spec, Execution& execution)
 {
   EditMesh& whole = mesh.mesh();
-  const Loops loops(spec);
-  const LoopSpec& general = loops.general;
-  const auto poll = [&] { execution.poll(); };
-  const auto pay = [&] {
-    if (spec.trueVolume)
-    {
-      redistributeVolume(whole, general.rules.objective, execution);
-    }
-  };
   whole.wantedShare = spec.smallShare * Wanted::ShareByRatio;
   whole.small = spec.small;
-  SnapSpec snap;
-  snap.length = std::min(3 * spec.collapseRatio, LongestSnapped);
-  std::mutex mutex;
-  std::vector<MadeEdit> edits;
-  costAll(whole, general.rules.objective, execution);
-  editInZones(whole, execution, [&](const ZoneTask& task) {
-    if (spec.improves() && (spec.mayChangeWalls || spec.collapseRatio > 0))
-    {
-      simplifyWalls(task, SimplificationSpec(), general.rules, poll);
-    }
-    snapEdges(task, general.rules, snap, poll);
-  });
-  if (!spec.improves())
-  {
-    append(edits, removeFlatFaces(whole, general.rules, execution));
-    return edits;
-  }
-  pay();
-  editInZones(
-    whole, execution,
-    [&](const ZoneTask& task) {
-      std::vector<MadeEdit> ofZone;
-      if (!spec.mayChangeWalls)
-      {
-        mergeOrRemoveSmallCells(task, general.rules, false, ofZone); // what edges could not take
-      }
-      append(ofZone, improve(task, general, poll));
-      improveFailing(task, loops, poll, ofZone);
-      mergeOrRemoveSmallCells(task, general.rules, spec.removesCells, ofZone);
-      const std::lock_guard<std::mutex> lock(mutex);
-      edits.insert(edits.end(), ofZone.begin(), ofZone.end());
-    },
-    true);
-  if (spec.movesNodes)
-  {
-    centreWalls(whole, general.rules.objective, execution);
-  }
-  pay();
-  if (spec.mayChangeWalls)
-  {
-    endAll(whole, loops, execution, edits);
-  }
-  separateNodes(whole, general.rules.objective, execution);
-  append(edits, removeFlatFaces(whole, general.rules, execution));
-  sortAll(edits, execution); // zones end in any order
-  return edits;
+  costAll(whole, Loops(spec).general.rules.objective, execution);
+  return WallImprover(whole, spec, execution).run();
 }
 
 }

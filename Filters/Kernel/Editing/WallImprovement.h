@@ -3,7 +3,7 @@
 // for what still fails, and last the volume made true.
 //
 // Method: greedy local search. An edit of a few kinds (PrimitiveEdits.h) is made if EditDecision.h allows it and the objective
-// (WallObjective.h) falls; if not, the journal takes it back bit for bit. Zones are edited at the same time (EditZones.h).
+// (WallObjective.h) falls; if not, the journal takes it back bit for bit. Blocks are edited at the same time (EditBlocks.h).
 // Sources: sections 3, 4.10 and 4.11 for what is wrong with cells; edge collapse as Hoppe 1996 has it; the order by cost and the
 // charges for walls and edges are ours.
 // Limits: a local minimum, not the best mesh; faces that no edit helps stay and are told; walls move by no more than a hundredth of

@@ -106,6 +106,18 @@ private:
   // With room for what edits make: it takes no memory before.
   static std::size_t withSpare(std::size_t count) { return 2 * count; }
 
+  BoxPlace placeOf(const PackedBox& box) const
+  {
+    BoxPlace place;
+    place.level = *std::max_element(box.level.begin(), box.level.end());
+    const FinePoint low = parts_.boxes.fineLow(box);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      place.at[axis] = static_cast<std::uint32_t>(low[axis] >> (DeepestLevel - place.level));
+    }
+    return place;
+  }
+
   void setCell(std::uint32_t c, CellKey key, CellState state)
   {
     const std::uint32_t box = boxOf(parts_.wall, key);
@@ -120,6 +132,7 @@ private:
     cell.edge = std::cbrt(cell.boxVolume);
     cell.number = key;
     cell.boxIndex = box;
+    cell.place = placeOf(at);
     cell.state = state;
     cell.wall = isHexahedron(key) ? NoBoundary : parts_.wall.cells[key].boundary;
     cell.region = isHexahedron(key) ? parts_.boxes.regionOf(box) : parts_.wall.cells[key].region;

@@ -3,8 +3,8 @@
 // become one, nodes between two edges go, where the wall moves less than a tolerance, all that happens to it together.
 #pragma once
 
+#include "Editing/EditBlocks.h"
 #include "Editing/EditDecision.h"
-#include "Editing/EditZones.h"
 
 namespace cartesian
 {

@@ -56,12 +56,9 @@ std::vector<std::uint32_t> allCells(const MeshEditor& mesh)
 
 std::vector<MadeEdit> endAll(MeshEditor& mesh, const EditRules& rules = {}, bool removes = true)
 {
-  const std::vector<std::uint32_t> cells = allCells(mesh);
-  const std::vector<std::uint8_t> isDone(mesh.cellCount(), 0);
   std::vector<RemovedPiece> removed;
   std::vector<MadeEdit> edits;
-  endRefusals({ mesh, cells, { cells.data(), cells.data() + cells.size() }, isDone }, rules,
-    removes, removed, edits, [] {});
+  endRefusals(WholeTask(mesh, allCells(mesh)).task(), rules, removes, removed, edits, [] {});
   return edits;
 }
 

@@ -32,14 +32,7 @@ struct Taker
   std::vector<MadeEdit> take(MeshEditor& mesh, const std::vector<std::uint32_t>& cells) const
   {
     std::vector<MadeEdit> edits;
-    std::vector<std::uint32_t> all(mesh.cellCount());
-    for (std::uint32_t c = 0; c < all.size(); ++c)
-    {
-      all[c] = c;
-    }
-    mergeOrRemoveSmallCells({ mesh, cells, { all.data(), all.data() + all.size() },
-                              std::vector<std::uint8_t>(mesh.cellCount(), 0) },
-      rules, removes, edits);
+    mergeOrRemoveSmallCells(WholeTask(mesh, cells).task(), rules, removes, edits);
     EXPECT_EQ(faultOf(mesh), "");
     return edits;
   }

@@ -208,6 +208,8 @@ TEST(WallImprovement, LayersStandOnWallsOfRegions)
   EXPECT_TRUE(isValid(layered, true));
 }
 
+constexpr EditBlockSize BlocksAtOnce{ 8, 4, ~std::uint32_t(0) };
+
 // Nodes slide along planes: nothing of the wall moves, and faces lie nearer to under the centres of their cells.
 TEST(WallImprovement, WallsAreCentred)
 {
@@ -240,10 +242,12 @@ TEST(WallImprovement, WallsAreCentred)
   };
   const ObjectiveSpec spec;
   costAll(whole, spec, execution);
-  editInZones(whole, execution, [&](const ZoneTask& task) {
+  BlockEditing blocks(whole, execution);
+  blocks.edit(BlocksAtOnce, [&](const ZoneTask& task) {
     simplifyWalls(task, SimplificationSpec(), { spec }, [] {});
     improve(task, LoopSpec(), [] {});
   });
+  blocks.finish();
   const double tangentsBefore = tangents();
   const double areaBefore = area();
   centreWalls(whole, spec, execution);
@@ -272,14 +276,15 @@ TEST(WallImprovement, DeficitsAreWhatTheVolumeLacks)
   const auto poll = [] {};
   costAll(whole, spec.rules.objective, execution);
   const double before = together();
-  editInZones(whole, execution, [&](const ZoneTask& task) {
+  BlockEditing blocks(whole, execution);
+  blocks.edit(BlocksAtOnce, [&](const ZoneTask& task) {
     simplifyWalls(task, SimplificationSpec(), spec.rules, poll);
     snapEdges(task, spec.rules, SnapSpec(), poll);
   });
   EXPECT_NEAR(together(), before, 1e-9 * before);
   redistributeVolume(whole, spec.rules.objective, execution);
   EXPECT_NEAR(together(), before, 1e-9 * before);
-  editInZones(whole, execution, [&](const ZoneTask& task) { improve(task, spec, poll); });
+  blocks.edit(BlocksAtOnce, [&](const ZoneTask& task) { improve(task, spec, poll); });
   EXPECT_NEAR(together(), before, 1e-9 * before);
 }
 

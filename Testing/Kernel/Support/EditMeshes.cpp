@@ -538,18 +538,26 @@ void costAgain(MeshEditor& mesh, const ObjectiveSpec& spec)
   mesh.delta = EditDelta();
 }
 
-void runLoop(MeshEditor& mesh, const LoopSpec& spec)
+WholeTask::WholeTask(MeshEditor& mesh)
+  : WholeTask(mesh, {})
 {
-  std::vector<std::uint32_t> cells;
+  cells_ = all_;
+}
+
+WholeTask::WholeTask(MeshEditor& mesh, std::vector<std::uint32_t> cells)
+  : mesh_(mesh)
+  , cells_(std::move(cells))
+  , turns_(mesh.cellCount(), 0)
+{
   for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
   {
-    if (!mesh.cell(c).gone)
-    {
-      cells.push_back(c);
-    }
+    mesh.cell(c).gone ? void() : all_.push_back(c);
   }
-  const Items zone{ cells.data(), cells.data() + cells.size() };
-  improve({ mesh, cells, zone, std::vector<std::uint8_t>(mesh.cellCount(), 0) }, spec, [] {});
+}
+
+void runLoop(MeshEditor& mesh, const LoopSpec& spec)
+{
+  improve(WholeTask(mesh).task(), spec, [] {});
 }
 
 void improveWhole(MeshEditor& mesh)

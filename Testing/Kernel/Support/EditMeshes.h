@@ -45,6 +45,26 @@ MeshEditor copyOf(const MeshEditor& mesh);
 void measureAgain(MeshEditor& mesh, const ObjectiveSpec& spec = {});
 void costAgain(MeshEditor& mesh, const ObjectiveSpec& spec);
 
+// All cells, of which some are looked at (all that are there, by default), as one zone.
+class WholeTask
+{
+public:
+  explicit WholeTask(MeshEditor& mesh);
+  WholeTask(MeshEditor& mesh, std::vector<std::uint32_t> cells);
+
+  ZoneTask task()
+  {
+    return { mesh_, memory_, cells_, Items{ all_.data(), all_.data() + all_.size() }, turns_, 1 };
+  }
+
+private:
+  MeshEditor& mesh_;
+  LoopMemory memory_;
+  std::vector<std::uint32_t> all_;
+  std::vector<std::uint32_t> cells_;
+  std::vector<std::uint32_t> turns_;
+};
+
 // The loop, for all cells; all steps.
 void runLoop(MeshEditor& mesh, const LoopSpec& spec);
 void improveWhole(MeshEditor& mesh);
