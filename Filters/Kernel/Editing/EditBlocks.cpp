@@ -30,7 +30,8 @@ struct Lane
   MeshEditor editor;
   LoopMemory memory;
   Marks boxes;
-  Marks nodes;
+  ValuesByNumber<std::uint32_t> sides; // of faces at nodes
+  std::vector<std::uint32_t> listed;   // nodes
   Marks borderNodes;
 };
 
@@ -102,7 +103,7 @@ public:
     divide(asked, size);
     giveArenas();
     setTurns();
-    slots_ = giveSlots(mesh_, slotCounts(), execution_);
+    slots_ = giveSlots(mesh_, slotCounts(size), execution_);
     boxOf_.resize(mesh_.cells.size(), None);
     execution_.nextLoop(ShareOfEdit);
     execution_.forEachInOrder(division_.after,
@@ -115,6 +116,11 @@ private:
   bool isEditable(std::uint32_t c) const
   {
     return !mesh_.cells[c].gone && mesh_.cells[c].state == CellState::Free;
+  }
+
+  Items facesOf(std::uint32_t c) const
+  {
+    return mesh_.cells[c].gone ? Items{ nullptr, nullptr } : view_.facesOf(c);
   }
 
   template <class Visitor>
@@ -172,8 +178,7 @@ private:
   {
     for (const std::uint32_t c : cells)
     {
-      for (const std::uint32_t f :
-        mesh_.cells[c].gone ? Items{ nullptr, nullptr } : view_.facesOf(c))
+      for (const std::uint32_t f : facesOf(c))
       {
         for (const std::uint32_t n : view_.cornersOf(f))
         {
@@ -254,7 +259,7 @@ private:
     });
   }
 
-  std::vector<SlotCounts> slotCounts() const
+  std::vector<SlotCounts> slotCounts(const EditBlockSize& size) const
   {
     std::vector<SlotCounts> counts;
     for (const EditBlock& block : division_.blocks)
@@ -269,8 +274,9 @@ private:
           costly += turns_[c] != 0 ? costlyFaces(c) : 0;
         }
       }
-      const std::size_t few = LeastSlots + cells / 4;
-      counts.push_back({ few + 4 * costly, few + 6 * costly, LeastSlots + 2 * costly });
+      const std::size_t few = LeastSlots + cells / 16;
+      const std::size_t made = size.mostMade * costly; // cells
+      counts.push_back({ few + 2 * made, few + 3 * made, LeastSlots + made });
     }
     return counts;
   }
@@ -307,17 +313,13 @@ private:
     {
       lane.boxes.mark(box);
     }
-    const auto isBeyond = [&](std::uint32_t c) {
-      return boxOf_[c] != None && !lane.boxes.contains(boxOf_[c]);
-    };
-    lane.nodes.begin();
+    listNodes(block, lane);
     lane.borderNodes.begin();
-    for (const std::uint32_t box : block.zone)
+    for (const std::uint32_t n : lane.listed)
     {
-      forEachNode(cellsOf_[box], lane.nodes, [&](std::uint32_t n) {
-        forEachCellAt(
-          n, [&](std::uint32_t c) { isBeyond(c) ? void(lane.borderNodes.mark(n)) : void(); });
-      });
+      const bool isBorder =
+        lane.sides.at(n) < 2 * view_.node(n).faces.size && touchesBeyond(n, lane.boxes);
+      isBorder ? void(lane.borderNodes.mark(n)) : void();
     }
     std::vector<std::uint32_t> cells;
     for (const std::uint32_t box : block.zone)
@@ -327,6 +329,40 @@ private:
     }
     std::sort(cells.begin(), cells.end());
     return cells;
+  }
+
+  // Of the cells of a zone, with how many sides of faces they have there; a wall counts twice.
+  void listNodes(const EditBlock& block, Lane& lane) const
+  {
+    lane.sides.begin();
+    lane.listed.clear();
+    for (const std::uint32_t box : block.zone)
+    {
+      for (const std::uint32_t c : cellsOf_[box])
+      {
+        for (const std::uint32_t f : facesOf(c))
+        {
+          for (const std::uint32_t n : view_.cornersOf(f))
+          {
+            std::uint32_t& sides = lane.sides[n];
+            sides == 0 ? lane.listed.push_back(n) : void();
+            sides += view_.isWall(f) ? 2 : 1;
+          }
+        }
+      }
+    }
+  }
+
+  // Whether a node has a cell of another box.
+  bool touchesBeyond(std::uint32_t n, const Marks& boxes) const
+  {
+    const auto isBeyond = [&](std::uint32_t c) {
+      return c != None && boxOf_[c] != None && !boxes.contains(boxOf_[c]);
+    };
+    const Items faces = view_.facesAround(n);
+    return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t f) {
+      return isBeyond(view_.face(f).below) || isBeyond(view_.face(f).above);
+    });
   }
 
   bool isAtBorder(std::uint32_t c, const Marks& nodes) const

@@ -214,6 +214,12 @@ std::vector<RefusalEdit> editsOfRefused(const MeshView& mesh, std::uint32_t c)
 
 std::vector<CutPlane> planesThroughMiddle(const MeshView& mesh, std::uint32_t c)
 {
+  return planesAcross(mesh, c, { 0 });
+}
+
+std::vector<CutPlane> planesAcross(
+  const MeshView& mesh, std::uint32_t c, std::initializer_list<double> places)
+{
   const EditCell& cell = mesh.cell(c);
   std::array<std::pair<double, std::size_t>, 3> extents; // negative: the longest comes first
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -232,11 +238,16 @@ std::vector<CutPlane> planesThroughMiddle(const MeshView& mesh, std::uint32_t c)
   }
   std::sort(extents.begin(), extents.end());
   std::vector<CutPlane> planes;
-  for (const auto& [extent, axis] : extents)
+  for (const double place : places)
   {
-    Vector normal{};
-    normal[axis] = 1;
-    planes.push_back({ cell.centre, normal, CutTolerance * cell.edge, true });
+    for (const auto& [extent, axis] : extents)
+    {
+      Vector through = cell.centre;
+      through[axis] -= place * extent;
+      Vector normal{};
+      normal[axis] = 1;
+      planes.push_back({ through, normal, CutTolerance * cell.edge, true });
+    }
   }
   return planes;
 }

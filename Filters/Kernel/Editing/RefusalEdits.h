@@ -6,6 +6,8 @@
 #include "Editing/CellCut.h"
 #include "Editing/Proposals.h"
 
+#include <initializer_list>
+
 namespace cartesian
 {
 
@@ -32,5 +34,9 @@ std::vector<RefusalEdit> editsOfRefused(const MeshView& mesh, std::uint32_t c);
 
 // Through the middle of a cell, across its longest extents first.
 std::vector<CutPlane> planesThroughMiddle(const MeshView& mesh, std::uint32_t c);
+
+// ... and at such parts of the extents from there.
+std::vector<CutPlane> planesAcross(
+  const MeshView& mesh, std::uint32_t c, std::initializer_list<double> places);
 
 }

@@ -17,11 +17,11 @@ namespace cartesian
 namespace
 {
 
-// What may go in all within so many boxes of a place, in boxes; what is left stays refused, and is told.
+// What may go in all within so many boxes of a place, in boxes; what is left stays refused, and is told. Crumbs always may.
 constexpr double MostRemoved = 1;
 constexpr double NearRemoved = 4;
 
-// Before more goes, more is tried: boxes.
+// More is no crumb, and more is tried before: boxes.
 constexpr double MuchRemoved = 0.02;
 
 constexpr double SmallPiece = 0.3; // of its box: goes to a neighbour
@@ -200,7 +200,7 @@ private:
   void halve(std::uint32_t p, std::vector<std::uint32_t>& next)
   {
     const std::size_t first = pieces_.all().size();
-    for (const CutPlane& plane : planesThroughMiddle(mesh_, p))
+    for (const CutPlane& plane : planesAcross(mesh_, p, { 0, 0.25, -0.25 }))
     {
       if (pieces_.make({ RefusalEdit::Kind::Cut, p, 0, 0, plane }))
       {
@@ -277,7 +277,7 @@ private:
       const double distance = std::max({ std::abs(way[0]), std::abs(way[1]), std::abs(way[2]) });
       sum += distance <= NearRemoved * mesh_.cell(p).edge ? other.boxes : 0;
     }
-    return sum <= MostRemoved;
+    return piece.boxes <= MuchRemoved || sum <= MostRemoved;
   }
 
   MeshEditor& mesh_;

@@ -104,7 +104,7 @@ constexpr double MuchCost = 3.5;
 // boxes; what fails takes four (three leave twice as much of it). Wide blocks have fewer cells around them, small ones wait
 // for less; walls that are simplified in small ones lean more.
 constexpr std::uint32_t AnyWeight = ~std::uint32_t(0);
-constexpr EditBlockSize SimplifiedAtOnce{ 16, 2, AnyWeight };
+constexpr EditBlockSize SimplifiedAtOnce{ 16, 2, AnyWeight, 0 };
 constexpr EditBlockSize ImprovedAtOnce{ 8, 2, 200 };
 constexpr EditBlockSize MendedAtOnce{ 8, 4, AnyWeight };
 

@@ -66,15 +66,27 @@ TEST_P(RoundShape, KeepsItsVolume)
 
 INSTANTIATE_TEST_SUITE_P(Of, RoundShape, ::testing::ValuesIn(roundShapes()), nameOf);
 
+// Unless walls of cells that solvers refuse gave way: then it comes closer to its volume.
 TEST_P(FlatShape, StaysAsItIs)
 {
+  constexpr double Rounding = 1e-9; // of coordinates; at most 100 times as much
   const Soup& soup = GetParam().soup;
+  int same = 0;
   for (const int levels : { 0, 1 })
   {
-    const GridSpec grid = cellsAlongLongest(soup, 11.3);
-    EXPECT_TRUE(
-      meshOf(soup, grid, with(false, levels)).mesh == meshOf(soup, grid, with(true, levels)).mesh);
+    for (const double cells : cases({ 8.3, 11.3, 14.3 }))
+    {
+      const GridSpec grid = cellsAlongLongest(soup, cells);
+      const MeshArrays chords = meshOf(soup, grid, with(false, levels)).mesh;
+      const MeshArrays standing = meshOf(soup, grid, with(true, levels)).mesh;
+      const double lost = std::abs(volumeOf(chords) / soup.volume() - 1);
+      EXPECT_TRUE(chords == standing || lost > Rounding)
+        << cells << " cells, depth " << levels << ": " << lost;
+      EXPECT_LE(std::abs(volumeOf(standing) / soup.volume() - 1), std::max(lost, 100 * Rounding));
+      same += chords == standing ? 1 : 0;
+    }
   }
+  EXPECT_GT(same, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, FlatShape, ::testing::ValuesIn(flatShapes()), nameOf);

@@ -139,9 +139,9 @@ constexpr const char* WrongArea = "Area";
 constexpr const char* ProjectedCentres = "ProjectedCentres"; // angles as other solvers see them
 constexpr const char* RefusedCells = "RefusedCellsRemoved";  // as a part of those that stay
 const std::vector<KnownFailure> KnownFailures{
-  { "Torus", "Determinant", { 0.38, 0.014, 0 } },
+  { "Torus", "Determinant", { 0.5, 0, 0 } },
   { "ThinPlate", "Determinant", { 1, 1, 0 } },
-  { "ThinPlateTurned", "Determinant", { 0.25, 0, 0 } },
+  { "ThinPlateTurned", "Determinant", { 0.34, 0, 0.046 } },
   { "Comb", "Determinant", { 0.11, 0.0038, 0.046 } },
   { "CombTurned", "Determinant", { 0.44, 0, 0 } },
   { "CombTurned", "InnerAngle", { 0.063, 0, 0 } },
@@ -149,19 +149,18 @@ const std::vector<KnownFailure> KnownFailures{
   { "CombTurned", "StarTriangulation", { 0.13, 0, 0 } },
   { "PyramidOnAPlane", "Determinant", { 0.27, 0, 0 } },
   { "Needle", "Determinant", { 1, 1, 1 } },
-  { "StarPolyhedron", "StarTriangulation", { 0.072, 0, 0.0044 } },
-  { "BumpySphere", WrongArea, { 0.125, 0, 0 } },
-  { "BumpySphere", "StarTriangulation", { 0.16, 0, 0 } }, // what a cell around a rim became
-  { "Tiny", "Determinant", { 0.053, 0, 0.0021 } },
-  { "Tiny", ProjectedCentres, { 0.053, 0, 0 } },
-  { "Tiny", "StarTriangulation", { 0.11, 0, 0 } },
+  { "StarPolyhedron", ProjectedCentres, { 0.072, 0, 0 } },
+  { "StarPolyhedron", "StarTriangulation", { 0.29, 0, 0 } },
+  { "BumpySphere", WrongArea, { 0.128, 0, 0 } },
+  { "Tiny", ProjectedCentres, { 0.063, 0, 0 } },
+  { "Tiny", "StarTriangulation", { 0.13, 0, 0.004 } },
   { "Flat", "Determinant", { 1, 1, 1 } },
-  { "Flat", ProjectedCentres, { 0, 0, 0.5 } },
-  { "Flat", "NonOrthogonality", { 0, 0, 0.5 } },
-  { "Flat", "StarTriangulation", { 1, 1, 1 } },
+  { "Flat", "InnerAngle", { 1, 0, 0 } },
+  { "Flat", ProjectedCentres, { 1, 0, 0 } },
+  { "Flat", "NonOrthogonality", { 1, 0, 0 } },
+  { "Flat", "StarTriangulation", { 1, 1, 0 } },
   { "Flat", LostVolume, { 0.41, 0.25, 0.31 } },
   { "Needle", LostVolume, { 0, 0, 0.0015 } },
-  { "StarPolyhedron", "Determinant", { 0, 0, 0.0022 } },
 };
 
 // By name, which part fails: of the volume, of a boundary's area, of the cells. What does not fail is 0.
