@@ -31,7 +31,8 @@ struct EditBlockSize
   std::uint32_t width;      // in boxes: even
   std::uint32_t reach;      // of its zone, in rings of boxes that touch at nodes
   std::uint32_t mostWeight; // a block of more is divided into eight
-  std::uint32_t mostMade = 2; // cells, for each face that costs much; twice as many nodes, thrice as many faces
+  std::uint32_t mostMade =
+    2; // cells, for each face that costs much; twice as many nodes, thrice as many faces
 };
 
 // A box that is looked at.
