@@ -98,6 +98,8 @@ public:
     const std::vector<AskedBox> asked = markAsked(cells);
     if (asked.empty())
     {
+      execution_.nextLoop(ShareOfEdit);
+      execution_.forEach(1, 1, [](std::size_t, std::size_t) {}); // progress goes on
       return;
     }
     divide(asked, size);
