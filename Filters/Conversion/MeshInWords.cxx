@@ -273,7 +273,10 @@ void tellBoundaries(vtkDataObject* mesh, std::ostream& text)
          << number(areaOf(n))
          << (hasLayers && coverage > 0 ? ", layers on " + inPercent(coverage) + ", " +
                   number(field(mesh, "BoundaryLayerThicknesses", n)) + " thick, whole stacks on " +
-                  inPercent(field(mesh, "BoundaryWholeStacks", n)) + ", the last layer 1:" +
+                  inPercent(field(mesh, "BoundaryWholeStacks", n)) +
+                  ", the first layer as asked on " +
+                  inPercent(field(mesh, "BoundaryFirstLayersKept", n)) + ", bare " +
+                  number(field(mesh, "BoundaryBareAreas", n)) + ", the last layer 1:" +
                   number(
                     std::round(1 / std::max(1e-9, field(mesh, "BoundaryLastLayerRatios", n)))) +
                   " of the cell beside it"

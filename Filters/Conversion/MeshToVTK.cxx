@@ -372,7 +372,7 @@ void setBoundary(
 }
 
 // For each boundary face, thickness and number of its layers; for each boundary and all walls with layers, the
-// fractions of the area with at least half the requested thickness and with whole stacks, the mean thickness, and the
+// fractions of the area with at least half the requested thickness, with whole stacks and with the first layer as requested, the mean thickness, and the
 // median of the last layer's volume by that of the cell beside it.
 class LayerReport
 {
@@ -406,6 +406,7 @@ public:
   {
     setField(output, "LayerCoverage", { ofWalls_.coverage() });
     setField(output, "WholeStacks", { ofWalls_.wholeShare() });
+    setField(output, "FirstLayersKept", { ofWalls_.firstShare() });
     setField(output, "LayersOfAStack", { static_cast<double>(layers_.spec.count) });
     if (const WallFlow& flow = layers_.spec.flow; flow.targetYPlus > 0)
     {
@@ -416,6 +417,8 @@ public:
     setField(output, "MeanLayerThickness", { ofWalls_.mean() });
     std::vector<double> coverages;
     std::vector<double> wholes;
+    std::vector<double> firsts;
+    std::vector<double> bare;
     std::vector<double> lasts;
     std::vector<double> means;
     std::vector<double> asked;
@@ -424,11 +427,15 @@ public:
       asked.push_back(ofBoundary_[named.first].area > 0 ? 1 : 0);
       coverages.push_back(ofBoundary_[named.first].coverage());
       wholes.push_back(ofBoundary_[named.first].wholeShare());
+      firsts.push_back(ofBoundary_[named.first].firstShare());
+      bare.push_back(ofBoundary_[named.first].bare);
       lasts.push_back(ofBoundary_[named.first].lastByCell());
       means.push_back(ofBoundary_[named.first].mean());
     }
     setField(output, "BoundaryLayerCoverages", coverages);
     setField(output, "BoundaryWholeStacks", wholes);
+    setField(output, "BoundaryFirstLayersKept", firsts);
+    setField(output, "BoundaryBareAreas", bare);
     setField(output, "BoundaryLastLayerRatios", lasts);
     setField(output, "BoundaryLayerThicknesses", means);
     setField(output, "BoundaryLayersAsked", asked);
@@ -442,11 +449,14 @@ private:
     double area = 0;
     double covered = 0;
     double whole = 0;
+    double first = 0; // with a first layer as high as requested
+    double bare = 0;  // without any layer
     double volume = 0;
     std::vector<std::pair<double, double>> lasts{}; // ratio, area
 
     double coverage() const { return area > 0 ? covered / area : 0; }
     double wholeShare() const { return area > 0 ? whole / area : 0; }
+    double firstShare() const { return area > 0 ? first / area : 0; }
     double mean() const { return area > 0 ? volume / area : 0; }
 
     // That of half the area; 0: there is none.
@@ -480,6 +490,8 @@ private:
         stack.layers == layers_.spec.count && stack.thickness >= LeastOfAsked * stack.asked;
       sums->covered += stack.asked > 0 && isCovered ? area : 0;
       sums->whole += stack.isWhole ? area : 0;
+      sums->first += stack.keepsFirst ? area : 0;
+      sums->bare += stack.asked > 0 && stack.layers == 0 ? area : 0;
       sums->volume += area * stack.thickness;
       if (stack.lastByCell > 0)
       {

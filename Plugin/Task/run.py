@@ -332,7 +332,8 @@ def statistics(mesher, listener, seconds, fields):
             ("BoundaryIds", "BoundaryNames", "BoundaryTypes", "BoundaryFaceCounts", "BoundaryAreas")]
         of_layers = {key: arrays.pop(name) for key, name in (("layer_coverage", "BoundaryLayerCoverages"),
             ("layer_thickness", "BoundaryLayerThicknesses"), ("layers_asked", "BoundaryLayersAsked"),
-            ("whole_stacks", "BoundaryWholeStacks"), ("last_layer_ratio", "BoundaryLastLayerRatios")) if name in arrays}
+            ("whole_stacks", "BoundaryWholeStacks"), ("first_layers_kept", "BoundaryFirstLayersKept"),
+            ("bare_area", "BoundaryBareAreas"), ("last_layer_ratio", "BoundaryLastLayerRatios")) if name in arrays}
         # Types exist if the user gave some; counts and areas, if there is a mesh.
         for number, name, type, faces, area in itertools.zip_longest(*rows):
             row = boundaries.setdefault(number,

@@ -62,6 +62,86 @@ def truck():
     return Surface("truck", np.array(corners), np.zeros(len(corners), int), ["truck"])
 
 
+def lofted(sections):
+    """Triangles around closed sections of as many points each, and across both ends, out of the body where sections are
+    anticlockwise as seen against the way from the first to the last."""
+    corners = []
+    for low, high in zip(sections[:-1], sections[1:]):
+        for a, b, c, d in zip(low, np.roll(low, -1, 0), np.roll(high, -1, 0), high):
+            corners += [(a, b, c), (a, c, d)]
+    for section, outwards in (sections[0], -1), (sections[-1], 1):
+        middle = section.mean(0)
+        corners += [(middle, a, b)[::outwards] for a, b in zip(section, np.roll(section, -1, 0))]
+    corners = np.array(corners)
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    return corners[areas > 0]
+
+
+def body(name, *parts):
+    corners = np.concatenate(parts)
+    return Surface(name, corners, np.zeros(len(corners), int), [name])
+
+
+def aerofoils(stations, points=60):
+    """NACA 0012 at (span, chord, twist in degrees, sweep): in the plane of x and z, along y."""
+    outline = naca0012(points) - (0.25, 0)
+    sections = []
+    for span, chord, twist, sweep in stations:
+        c, s = np.cos(np.radians(twist)), np.sin(np.radians(twist))
+        x, z = chord * (outline @ np.array([[c, -s], [s, c]])).T
+        sections.append(np.column_stack([x + sweep, np.full(len(x), span), z])[::-1])
+    return sections
+
+
+def wing():
+    """Swept and tapered, with a cut trailing edge and a cut tip, through the symmetry plane y = 0."""
+    return body("wing", lofted(aerofoils([(y, 1 - 0.5 * y / 1.5, 0, 0.3 * y) for y in np.linspace(-0.2, 1.5, 18)])))
+
+
+def blade():
+    """Of a rotor: its chord falls from 0.25 to 0.1, its twist from 40 to 6 degrees."""
+    return body("blade", lofted(aerofoils(
+        [(r, 0.25 - 0.15 * (r - 0.2) / 0.8, 40 - 34 * ((r - 0.2) / 0.8) ** 0.6, 0) for r in np.linspace(0.2, 1, 33)])))
+
+
+def car(points=72):
+    """A body of oval sections, rounder at the ends, and four wheels that stand on the ground, z = 0."""
+    angle = 2 * np.pi * np.arange(points) / points
+    sections = []
+    for x in np.concatenate([1 - np.cos(np.linspace(0, np.pi, 61))]) * 2:
+        along = abs(x / 2 - 1)
+        thick = (1 - along ** 4) ** 0.5
+        if thick < 0.02:
+            continue
+        roof = 0.55 * np.exp(-((x - 2.2) / 0.9) ** 4)
+        y = 0.85 * thick * np.sign(np.cos(angle)) * np.abs(np.cos(angle)) ** 0.5
+        z = np.sign(np.sin(angle)) * np.abs(np.sin(angle)) ** 0.5 * 0.33 * thick
+        z = 0.55 + z + np.where(z > 0, roof * z / 0.33, 0)
+        sections.append(np.column_stack([np.full(points, x), y, z]))
+    wheels = []
+    for x in 0.8, 3.2:
+        for y in (-0.8, -0.58), (0.58, 0.8):
+            circle = [np.column_stack([x + 0.3 * np.sin(angle), np.full(points, at), 0.28 + 0.3 * np.cos(angle)]) for at in y]
+            wheels.append(lofted(circle))
+    return body("car", lofted(sections), *wheels)
+
+
+def tee(points=96):
+    """Two pipes that meet at 60 degrees, of radius 0.5 and 0.35: what flows inside."""
+    angle = 2 * np.pi * np.arange(points) / points
+    unit = np.column_stack([np.zeros(points), np.cos(angle), np.sin(angle)])
+    main = lofted([0.5 * unit + (x, 0, 0) for x in (-2, 2)])
+    c, s = np.cos(np.radians(60)), np.sin(np.radians(60))
+    turn = np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])
+    branch = lofted([(0.35 * unit + (x, 0, 0)) @ turn for x in (0, 2.2)])
+    corners = np.concatenate([main, branch])
+    ends = [len(main) - 2 * points, len(main) - points, len(corners) - 2 * points, len(corners) - points]
+    boundary = np.zeros(len(corners), int)
+    for at, first in ((1, ends[0]), (2, ends[1]), (0, ends[2]), (3, ends[3])):
+        boundary[first:first + points] = at
+    return Surface("tee", corners, boundary, ["wall", "inlet", "outlet", "inlet_branch"])
+
+
 # Name: the surface, Cell Size, local box, walls, and the properties besides.
 def cases():
     from wallsurfaces import HEADER, load
@@ -76,3 +156,10 @@ def cases():
     yield "truck", truck(), 1.0, 1.0 / 16, ["truck"], outside | {
         "DomainBounds": (-12.0, 36.0, 0.0, 10.0, 0.0, 12.0), "RefinementDepth": 4, "TransitionLayers": 3, "Ground": "zMin"}
     yield "duct", load("runner_1"), 3.0, 3.0, ["wall_1"], {}
+    yield "wing", wing(), 0.5, 0.5 / 32, ["wing"], outside | {
+        "DomainBounds": (-4.0, 8.0, 0.0, 5.0, -4.0, 4.0), "RefinementDepth": 5, "TransitionLayers": 3}
+    yield "blade", blade(), 0.1, 0.1 / 16, ["blade"], outside | {
+        "DomainBounds": (-1.0, 1.0, -0.3, 1.7, -1.0, 1.0), "RefinementDepth": 4, "TransitionLayers": 3}
+    yield "car", car(), 1.0, 1.0 / 32, ["car"], outside | {
+        "DomainBounds": (-6.0, 16.0, 0.0, 6.0, 0.0, 6.0), "RefinementDepth": 5, "TransitionLayers": 3, "Ground": "zMin"}
+    yield "tee", tee(), 0.07, 0.07, ["wall"], {}

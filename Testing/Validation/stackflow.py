@@ -22,7 +22,7 @@ from wallmeasures import Mesh
 ITERATIONS = 300
 # Speed and kinematic viscosity, by the surface's unit of length, and that in metres.
 FLOWS = {"section": (50, 1.5e-5, 1), "ahmed half": (40, 1.5e-5, 1), "hull": (2, 1e-6, 1), "truck": (20, 1.5e-5, 1),
-         "duct": (30000, 15, 0.001)}
+         "duct": (30000, 15, 0.001), "wing": (50, 1.5e-5, 1), "blade": (60, 1.5e-5, 1), "car": (30, 1.5e-5, 1), "tee": (5, 1.5e-5, 1)}
 NEAR = 0.06  # of its first height, a whole stack
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Layers at y+ 1: the share of the walls with whole stacks, what checkMesh says, and the mesher's seconds.
 
-pvpython stacks.py [CASE...] [--layers 12,20] [--first 1e-2,1e-3,1e-4] [--keep FOLDER]
+pvpython stacks.py [CASE...] [--layers 12,20] [--first 1e-2,1e-3,1e-4] [--keep FOLDER] [--set PROPERTY=NUMBER...]
 
 First heights are by the box at the wall. A whole stack has all of its layers, the first within 5 % of its height."""
 
@@ -71,7 +71,9 @@ def main():
     parser.add_argument("--layers", default="0,12,20")
     parser.add_argument("--first", default="1e-2,1e-3,1e-4")
     parser.add_argument("--keep")
+    parser.add_argument("--set", nargs="*", default=[])
     options = parser.parse_args()
+    chosen = {name: float(value) if "." in value else int(value) for name, value in (one.split("=") for one in options.set)}
     for case in bodies.cases():
         if options.cases and case[0] not in options.cases:
             continue
@@ -82,7 +84,7 @@ def main():
                     folder.mkdir(parents=True, exist_ok=True)
                     height = float(first) * case[3]
                     named = {"Layers": int(layers) if layers != "auto" else -1, "LayerExpansionRatio": RATIO, "FirstLayerThickness": height}
-                    seconds, made = meshed(case, folder, named if layers != "0" else {})
+                    seconds, made = meshed(case, folder, chosen | (named if layers != "0" else {}))
                     mesh = Mesh(folder)
                     walls = walls_of(mesh, case)
                     share = whole(mesh, walls, made, height) if made else float("nan")

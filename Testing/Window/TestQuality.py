@@ -49,7 +49,7 @@ open("{folder}/notes.txt", "a").write(repr(note) + "\\n")
 with Screen() as screen:
     for name, text in (("note", NOTE), ("strict", STRICT), ("quality", SELECT.replace("{source}", "FiniteVolumeQuality1")),
             ("mesher", SELECT.replace("{source}", "CartesianMesher1"))):
-        screen.add_macro(name, text.replace("{folder}", str(screen.folder)).replace("{limit}", "38"))
+        screen.add_macro(name, text.replace("{folder}", str(screen.folder)).replace("{limit}", "40"))
     said = screen.play(script(open_file(SURFACE, choose_reader=True), apply(), meshing_menu("CartesianMesher"),
         number("CellSize", 15), apply(), meshing_menu("FiniteVolumeQuality"), apply(), macro("note"),
         BUTTON, macro("note"), macro("strict"), macro("quality"), BUTTON, macro("note"),

@@ -230,6 +230,19 @@ private:
     return changed;
   }
 
+  // What layers take that fit.
+  bool fitLayers()
+  {
+    bool changed = false;
+    for (std::size_t n = 0; n < wall_.nodes(); ++n)
+    {
+      const double fitting = heights_.fitting(wall_.parts[n], wall_.isFlat[n] != 0);
+      changed = changed || fitting != wall_.parts[n];
+      wall_.parts[n] = fitting;
+    }
+    return changed;
+  }
+
   // Until no part is higher than the slope allows: the same whatever the order.
   void smooth()
   {
@@ -237,6 +250,7 @@ private:
     {
       changed = leaveOutFilms();
       changed = leaveOutIslands() || changed;
+      changed = fitLayers() || changed;
       for (std::size_t f = 0; f < wall_.layered.size(); ++f)
       {
         const double slope = wall_.isFlatFace(f) ? 1 : Slope;

@@ -56,6 +56,7 @@ std::vector<FaceOfCell> facesAtWall(const NearCells& near)
 std::vector<double> lastByCells(const LayeredWall& wall, const LayerHeights& heights,
   const NearCells& near, const std::vector<double>& volumes)
 {
+  const StackCells cells(wall, heights);
   const std::vector<FaceOfCell> faces = facesAtWall(near);
   std::vector<double> ratios(wall.layered.size());
   std::vector<std::uint32_t> nodes;
@@ -75,10 +76,8 @@ std::vector<double> lastByCells(const LayeredWall& wall, const LayerHeights& hei
     if (at != faces.end() && at->key == wanted.key)
     {
       const double height = wall.heightOn(f, [&](std::size_t n) {
-        const auto endOf = [&](std::size_t k) {
-          return heights.at(wall.parts[n], k, wall.isFlat[n]);
-        };
-        return endOf(heights.layers()) - endOf(heights.layers() - 1);
+        return wall.parts[n] -
+          heights.at(wall.parts[n], cells.layers() - cells.end(f, 0), wall.isFlat[n]);
       });
       ratios[f] = height * wall.area(f) / volumes[at->cell];
     }

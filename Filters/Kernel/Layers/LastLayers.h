@@ -3,8 +3,8 @@
 // jumps that they passed when there were more layers, whatever the layers themselves were like.
 #pragma once
 
-#include "Layers/LayerHeights.h"
 #include "Layers/NearCells.h"
+#include "Layers/StackCells.h"
 
 namespace cartesian
 {

@@ -199,7 +199,7 @@ LayerFault LayerFaults::ofFace(
   const bool areOfOneStack =
     std::min(c, d) < ofMesh || stacks.face[c - ofMesh] == stacks.face[d - ofMesh];
   fault.mendsThinner =
-    areOfOneStack && !(std::max(c, d) >= ofMesh && stacks.isFlat[std::max(c, d) - ofMesh]);
+    areOfOneStack && !(std::max(c, d) >= ofMesh && stacks.isFilm[std::max(c, d) - ofMesh]);
   return fault;
 }
 

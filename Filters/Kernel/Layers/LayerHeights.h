@@ -11,9 +11,9 @@ namespace cartesian
 // its layers grow more slowly. If one of them would be thinner than half the requested thickness, or there is not
 // even room for layers of equal height, all become thinner.
 //
-// In flat stacks all layers become thinner alike. Where the room differs from node to node, the centre of each prism lies
-// aside by the same part of its face then; otherwise the line between two centres would hardly cross the face between
-// them, which is far wider than the prisms are high. A first layer that is thinner than requested does no harm there.
+// Flat stacks have fewer layers instead, each as high as requested. Layers that grew more slowly would lean more from one to the
+// next, where the room differs from node to node, and the line between two centres would hardly cross the face between them,
+// which is far wider than the prisms are high.
 class LayerHeights
 {
 public:
@@ -22,7 +22,16 @@ public:
 
   std::size_t layers() const { return full_.size() - 1; }
 
-  // The end of the k-th layer, from the wall, of a stack that takes a part (0 to 1) of its way; as a part of the way.
+  // How many layers fit in a part (0 to 1) of the way, and what these take of it.
+  std::size_t layersIn(double part, bool isFlat) const;
+  double fitting(double part, bool isFlat) const;
+
+  // Between nodes with at least and at most so many layers, how many of these are cells by themselves: what is above them
+  // is as high at least as it differs, and its centre lies aside of theirs by no more than half its height. `slenderness`: the
+  // width of the face by the height of all layers.
+  std::size_t layersBelow(std::size_t least, std::size_t most, double slenderness) const;
+
+  // The end of the k-th layer, from the wall, of a stack that takes a part of its way; as a part of the way.
   double at(double part, std::size_t k, bool isFlat) const;
 
 private:

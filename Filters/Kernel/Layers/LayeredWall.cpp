@@ -255,12 +255,6 @@ LayerEnd LayeredWall::endOn(std::size_t face) const
   return end;
 }
 
-bool LayeredWall::isWhole(std::size_t face, std::size_t i) const
-{
-  const std::size_t other = faceBeyond(face, i);
-  return tapers(face) && (!layered[other] || tapers(other));
-}
-
 LayeredWall findLayeredWall(LayerRegion region, const OutputMesh& mesh,
   const std::vector<double>& points, const WallLayerSpec& spec, Execution& execution)
 {

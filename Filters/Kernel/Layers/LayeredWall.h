@@ -88,9 +88,6 @@ struct LayeredWall
   // The most certain reason of its nodes.
   LayerEnd endOn(std::size_t face) const;
 
-  // Whether all layers have one common side over an edge: neither side of it has layers that differ.
-  bool isWhole(std::size_t face, std::size_t i) const;
-
   double area(std::size_t face) const
   {
     return norm(measureFace(corners(face), [&](std::size_t i) -> const Vector& {

@@ -5,6 +5,7 @@
 #include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cartesian
 {
@@ -13,46 +14,36 @@ namespace
 {
 
 constexpr double FirstWithin = 0.05;
+constexpr double FilmByWidth = 0.1;
 
 // The points above a node are numbered consecutively, from the mesh to the wall.
 class Columns
 {
 public:
-  Columns(const OutputMesh& mesh, const LayeredWall& wall, std::size_t layers)
+  Columns(const OutputMesh& mesh, const LayeredWall& wall, const StackCells& cells)
     : wall_(wall)
-    , layers_(layers)
+    , cells_(cells)
     , first_(wall.nodes())
   {
     Id next = mesh.pointCount();
     for (std::size_t n = 0; n < wall.nodes(); ++n)
     {
-      first_[n] = wall.parts[n] > 0 ? next : -1;
-      next += wall.parts[n] > 0 ? static_cast<Id>(layers) : 0;
+      first_[n] = next;
+      next += static_cast<Id>(cells.layersAt(n));
     }
   }
 
-  std::size_t layers() const { return layers_; }
-
-  // So many layers above the mesh.
+  // Where the layer begins that is the k-th from the mesh if all are there: the mesh's point above those that are.
   Id above(std::size_t n, std::size_t k) const
   {
-    return k == 0 || first_[n] < 0 ? wall_.of.mesh.meshPoint[n]
-                                   : first_[n] + static_cast<Id>(k) - 1;
+    const std::size_t missing = cells_.layers() - cells_.layersAt(n);
+    return k <= missing ? wall_.of.mesh.meshPoint[n] : first_[n] + static_cast<Id>(k - missing) - 1;
   }
-
-  // The cells of a face's stack.
-  std::size_t cells(std::size_t f) const
-  {
-    return !wall_.hasStack(f) ? 0 : wall_.tapers(f) ? 1 : layers_;
-  }
-
-  // Where the k-th of them ends.
-  std::size_t end(std::size_t f, std::size_t k) const { return wall_.tapers(f) ? layers_ : k + 1; }
 
 private:
   const LayeredWall& wall_;
-  const std::size_t layers_;
-  std::vector<Id> first_; // of each node, or -1
+  const StackCells& cells_;
+  std::vector<Id> first_; // of each node
 };
 
 // So many edges of a face from corner `first` on.
@@ -103,19 +94,18 @@ void listSide(const LayeredWall& wall, const Columns& columns, const Edges& edge
 
 // Calls visit(i, points) for all sides of the k-th cell of a face's stack, each over edges from corner i on.
 template <class Visitor>
-void forEachSide(const LayeredWall& wall, const Columns& columns, const StackSides& sides,
-  std::size_t f, std::size_t k, Visitor&& visit)
+void forEachSide(const LayeredWall& wall, const StackCells& cells, const Columns& columns,
+  const StackSides& sides, std::size_t f, std::size_t k, Visitor&& visit)
 {
   std::vector<Id> points;
-  for (std::size_t j = k; j < columns.end(f, k); ++j)
+  for (std::size_t j = cells.begin(f, k); j < cells.end(f, k); ++j)
   {
     sides.forEach(f, j, [&](std::size_t i, std::size_t n) {
-      const bool isWhole = wall.isWhole(f, i);
-      if (isWhole && j > k)
+      if (!cells.isSideAt(f, i, j))
       {
         return;
       }
-      listSide(wall, columns, { f, i, n }, j, isWhole ? columns.layers() : j + 1, points);
+      listSide(wall, columns, { f, i, n }, j, cells.endOfSide(f, i, j), points);
       if (!points.empty())
       {
         visit(i, points);
@@ -130,8 +120,9 @@ public:
   Stacker(const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights)
     : wall_(wall)
     , heights_(heights)
-    , columns_(mesh, wall, heights.layers())
-    , sides_(wall, heights)
+    , cells_(wall, heights)
+    , columns_(mesh, wall, cells_)
+    , sides_(wall, heights, cells_)
   {
   }
 
@@ -140,7 +131,7 @@ public:
     placePoints();
     for (std::size_t f = 0; f < wall_.layered.size(); ++f)
     {
-      for (std::size_t k = 0; k < columns_.cells(f); ++k)
+      for (std::size_t k = 0; k < cells_.cells(f); ++k)
       {
         addCell(f, k);
       }
@@ -159,10 +150,9 @@ private:
         continue;
       }
       result_.moved.push_back({ wall_.of.mesh.meshPoint[n], wall_.at(n, wall_.parts[n]) });
-      for (std::size_t k = 1; k <= columns_.layers(); ++k)
+      for (std::size_t k = cells_.layersAt(n); k-- > 0;)
       {
-        const Vector at =
-          wall_.at(n, heights_.at(wall_.parts[n], columns_.layers() - k, wall_.isFlat[n]));
+        const Vector at = wall_.at(n, heights_.at(wall_.parts[n], k, wall_.isFlat[n]));
         result_.points.insert(result_.points.end(), at.begin(), at.end());
         result_.nodeOfPoint.push_back(n);
       }
@@ -175,13 +165,14 @@ private:
     result_.offsets.push_back(static_cast<Id>(result_.connectivity.size()));
     result_.faceStart.push_back(static_cast<Id>(stream.size()));
     const std::size_t count = stream.size();
-    const std::size_t end = columns_.end(f, k);
+    const std::size_t begin = cells_.begin(f, k);
+    const std::size_t end = cells_.end(f, k);
     const std::size_t corners = wall_.corners(f);
     stream.push_back(2);
     stream.push_back(static_cast<Id>(corners));
     for (std::size_t i = 0; i < corners; ++i)
     {
-      stream.push_back(columns_.above(wall_.node(f, corners - 1 - i), k));
+      stream.push_back(columns_.above(wall_.node(f, corners - 1 - i), begin));
       result_.connectivity.push_back(stream.back());
     }
     stream.push_back(static_cast<Id>(corners));
@@ -189,26 +180,29 @@ private:
     {
       const std::size_t n = wall_.node(f, i);
       stream.push_back(columns_.above(n, end));
-      for (std::size_t j = k + 1; wall_.parts[n] > 0 && j <= end; ++j)
+      for (std::size_t j = begin + 1; j <= end; ++j)
       {
-        result_.connectivity.push_back(columns_.above(n, j));
+        const Id point = columns_.above(n, j);
+        point != columns_.above(n, j - 1) ? result_.connectivity.push_back(point) : void();
       }
     }
     forEachSide(
-      wall_, columns_, sides_, f, k, [&](std::size_t /*i*/, const std::vector<Id>& points) {
+      wall_, cells_, columns_, sides_, f, k, [&](std::size_t /*i*/, const std::vector<Id>& points) {
         ++stream[count];
         stream.push_back(static_cast<Id>(points.size()));
         stream.insert(stream.end(), points.begin(), points.end());
       });
-    result_.layer.push_back(static_cast<unsigned char>(columns_.layers() + 1 - end));
+    result_.layer.push_back(static_cast<unsigned char>(cells_.layers() + 1 - end));
     result_.face.push_back(f);
     result_.tapers.push_back(wall_.tapers(f));
-    result_.isFlat.push_back(wall_.isFlatFace(f));
+    result_.isFilm.push_back(
+      wall_.isFlatFace(f) && wall_.asked[f] < FilmByWidth * std::sqrt(wall_.area(f)));
     result_.below.push_back(wall_.of.faces[f].cell);
   }
 
   const LayeredWall& wall_;
   const LayerHeights& heights_;
+  const StackCells cells_;
   const Columns columns_;
   const StackSides sides_;
   PrismStacks result_;
@@ -222,8 +216,9 @@ public:
     : mesh_(mesh)
     , wall_(wall)
     , heights_(heights)
-    , columns_(mesh, wall, heights.layers())
-    , sides_(wall, heights)
+    , cells_(wall, heights)
+    , columns_(mesh, wall, cells_)
+    , sides_(wall, heights, cells_)
     , lastByCell_(lastByCell)
   {
   }
@@ -234,7 +229,7 @@ public:
     Id cell = mesh_.cellCount();
     for (std::size_t f = 0; f < wall_.layered.size(); ++f)
     {
-      for (std::size_t k = 0; k < columns_.cells(f); ++k)
+      for (std::size_t k = 0; k < cells_.cells(f); ++k)
       {
         addOf(f, k, cell++);
       }
@@ -257,7 +252,7 @@ private:
   {
     StackMeasure measure;
     measure.asked = wall_.asked[f];
-    measure.layers = static_cast<int>(columns_.cells(f));
+    measure.layers = static_cast<int>(cells_.cells(f));
     measure.end = wall_.endOn(f);
     if (measure.layers > 0)
     {
@@ -266,7 +261,8 @@ private:
         f, [&](std::size_t n) { return heights_.at(wall_.parts[n], 1, wall_.isFlat[n]); });
       const double asked = measure.asked * heights_.at(1, 1, true);
       measure.lastByCell = lastByCell_[f];
-      measure.isWhole = !wall_.tapers(f) && std::abs(first - asked) <= FirstWithin * asked;
+      measure.keepsFirst = cells_.hasRegular(f) && std::abs(first - asked) <= FirstWithin * asked;
+      measure.isWhole = measure.keepsFirst && cells_.isWhole(f);
     }
     return measure;
   }
@@ -311,7 +307,7 @@ private:
 
   void addOf(std::size_t f, std::size_t k, Id cell)
   {
-    const bool isAtWall = columns_.end(f, k) == columns_.layers();
+    const bool isAtWall = cells_.end(f, k) == cells_.layers();
     if (isAtWall && wall_.of.isInterface(f))
     {
       addInterface(f, cell);
@@ -320,21 +316,23 @@ private:
     {
       const BoundaryFace& base = wall_.of.faces[f];
       add({ cell, base.index, base.boundary, BoundaryFace::Kind::Cut },
-        pointsOf(f, columns_.layers()), measureOf(f));
+        pointsOf(f, cells_.layers()), measureOf(f));
     }
-    forEachSide(wall_, columns_, sides_, f, k, [&](std::size_t i, const std::vector<Id>& points) {
-      const std::size_t other = wall_.faceBeyond(f, i);
-      if (!wall_.layered[other])
-      {
-        const BoundaryFace& there = wall_.of.faces[other];
-        add({ cell, there.index, there.boundary, BoundaryFace::Kind::Cut }, points, {});
-      }
-    });
+    forEachSide(
+      wall_, cells_, columns_, sides_, f, k, [&](std::size_t i, const std::vector<Id>& points) {
+        const std::size_t other = wall_.faceBeyond(f, i);
+        if (!wall_.layered[other])
+        {
+          const BoundaryFace& there = wall_.of.faces[other];
+          add({ cell, there.index, there.boundary, BoundaryFace::Kind::Cut }, points, {});
+        }
+      });
   }
 
   const OutputMesh& mesh_;
   const LayeredWall& wall_;
   const LayerHeights& heights_;
+  const StackCells cells_;
   const Columns columns_;
   const StackSides sides_;
   const std::vector<double>& lastByCell_;

@@ -3,8 +3,8 @@
 //
 // Points of the layers are on the line from a node to its place on the wall. Faces with a common edge share the side
 // faces above it (StackSides.h). Towards boundaries without layers the side faces are boundary. A node without layers
-// has none above it: a stack tapers to there and is one cell, as slices of a wedge are so skew that solvers diverge
-// on them. A face with only such nodes has no stack. Nodes with layers belong to a stack that does not taper.
+// has none above it: a stack tapers to there and is one cell (StackCells.h). A face with only such nodes has no stack. Nodes with
+// layers belong to a stack that does not taper.
 #pragma once
 
 #include "Layers/LayerHeights.h"
@@ -33,8 +33,9 @@ struct PrismStacks
   std::vector<unsigned char> layer; // of each cell, 1 at the wall
   std::vector<std::size_t> face;    // of each cell, that of the wall under its stack
   std::vector<std::uint8_t> tapers; // of each cell
-  std::vector<std::uint8_t> isFlat; // of each cell, its stack (LayeredWall)
-  std::vector<Id> below;            // of each cell, the number of the mesh's cell under its stack
+  std::vector<std::uint8_t>
+    isFilm; // of each cell, its stack: fewer layers of it would lean too much beside more
+  std::vector<Id> below; // of each cell, the number of the mesh's cell under its stack
 
   std::size_t cells() const { return layer.size(); }
 };
@@ -46,7 +47,8 @@ struct StackMeasure
   double thickness = 0;             // of the stack, along the wall's normal; 0: none
   int layers = 0;                   // one where it tapers; 0: none
   LayerEnd end = LayerEnd::Nowhere; // why it is not whole; Nowhere: because of a stack beside it
-  bool isWhole = false;  // all layers, and the first as high as requested, within FirstWithin of it
+  bool keepsFirst = false;          // a first layer as high as requested, within FirstWithin of it
+  bool isWhole = false;             // ... and all layers
   double lastByCell = 0; // volume of the last layer by that of the cell beside it; 0: not known
 };
 

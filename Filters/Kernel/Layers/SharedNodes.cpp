@@ -116,6 +116,7 @@ void append(const OutputMesh& mesh, PrismStacks& stacks, const PrismStacks& more
   add(stacks.layer, next.layer);
   add(stacks.face, next.face);
   add(stacks.tapers, next.tapers);
+  add(stacks.isFilm, next.isFilm);
   add(stacks.below, next.below);
 }
 

@@ -19,9 +19,11 @@ constexpr double LowByLength = 0.02;
 
 }
 
-StackSides::StackSides(const LayeredWall& wall, const LayerHeights& heights)
+StackSides::StackSides(
+  const LayeredWall& wall, const LayerHeights& heights, const StackCells& cells)
   : wall_(wall)
   , heights_(heights)
+  , cells_(cells)
   , inner_(heights.layers() * wall.beyond.size())
 {
   for (std::size_t f = 0; f < wall.layered.size(); ++f)
@@ -129,12 +131,12 @@ bool StackSides::isStraight(const Run& part, std::size_t k) const
   return isStraight;
 }
 
-// Of the layer, or of all where they have one side, where it is thinnest between the ends.
+// Of the side that begins with a layer, where it is thinnest between the ends.
 double StackSides::thicknessOf(const Run& part, std::size_t k) const
 {
-  const bool isWhole = wall_.isWhole(part.face, part.first);
-  const std::size_t begin = isWhole ? 0 : heights_.layers() - k - 1;
-  const std::size_t end = isWhole ? heights_.layers() : heights_.layers() - k;
+  const std::size_t begin =
+    heights_.layers() - cells_.endOfSide(part.face, part.first % wall_.corners(part.face), k);
+  const std::size_t end = heights_.layers() - k;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < part.edges; ++i)
   {

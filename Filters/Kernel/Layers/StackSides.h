@@ -6,8 +6,7 @@
 // edge of large cells are skew.
 #pragma once
 
-#include "Layers/LayerHeights.h"
-#include "Layers/LayeredWall.h"
+#include "Layers/StackCells.h"
 
 namespace cartesian
 {
@@ -15,8 +14,8 @@ namespace cartesian
 class StackSides
 {
 public:
-  // Borrows the wall.
-  StackSides(const LayeredWall& wall, const LayerHeights& heights);
+  // Borrows all of them.
+  StackSides(const LayeredWall& wall, const LayerHeights& heights, const StackCells& cells);
 
   // Calls visit(i, n) for the sides over a face, in the k-th layer above the mesh: each is over the edges from corner i
   // of the face to corner i + n.
@@ -62,6 +61,7 @@ private:
 
   const LayeredWall& wall_;
   const LayerHeights& heights_;
+  const StackCells& cells_;
   std::vector<std::uint8_t> inner_; // of each layer's corners: it is within a side, not at its end
 };
 

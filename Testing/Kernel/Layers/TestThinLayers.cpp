@@ -154,14 +154,24 @@ TEST(ThinLayers, TheFirstThicknessFollowsFromYPlus)
   EXPECT_NEAR(firstThicknessFor(flow, length), 50 * first * std::pow(4, 0.1), 1e-12);
 }
 
-TEST(ThinLayers, FlatStacksBecomeThinnerAlike)
+// The same layers, as many as fit; others become thinner alike.
+TEST(ThinLayers, FlatStacksHaveFewerLayers)
 {
   WallLayerSpec spec;
   spec.count = 5;
   const LayerHeights heights(spec);
-  for (std::size_t k = 0; k <= 5; ++k)
+  EXPECT_EQ(heights.layersIn(0, true), 0U);
+  EXPECT_EQ(heights.layersIn(1, true), 5U);
+  EXPECT_EQ(heights.layersIn(0.1, false), 5U);
+  for (std::size_t fit = 1; fit <= 5; ++fit)
   {
-    EXPECT_EQ(heights.at(0.7, k, true), 0.7 * heights.at(1, k, false));
+    const double part = heights.at(1, fit, true);
+    EXPECT_EQ(heights.layersIn(part, true), fit);
+    EXPECT_EQ(heights.fitting(part + 1e-3, true), fit < 5 ? part : 1);
+    for (std::size_t k = 0; k <= 5; ++k)
+    {
+      EXPECT_EQ(heights.at(part, k, true), heights.at(1, std::min(k, fit), true));
+    }
   }
   EXPECT_NEAR(heights.at(0.9, 1, false), heights.at(1, 1, false), 1e-12);
 }
@@ -274,6 +284,52 @@ TEST(ThinLayers, StacksOnTurnedWallsStandAtAnyAspectRatio)
   const double thick = wholeShare(cube().turned(), 1e-2);
   EXPECT_GE(wholeShare(cube().turned(), 1e-3), thick);
   EXPECT_GE(wholeShare(cube().turned(), 1e-4), thick);
+}
+
+// What is above the regular layers is at least as high where it is lowest as it differs, and leans little; or it begins at the
+// wall.
+TEST(ThinLayers, WhatDiffersIsOneCell)
+{
+  constexpr double Slenderness = 2;
+  WallLayerSpec spec;
+  spec.count = 20;
+  const LayerHeights heights(spec);
+  const auto end = [&](std::size_t k) { return heights.at(1, k, true); };
+  for (std::size_t least = 0; least <= 20; ++least)
+  {
+    EXPECT_EQ(heights.layersBelow(least, least, 1), least);
+    for (std::size_t most = least + 1; most <= 20; ++most)
+    {
+      const std::size_t below = heights.layersBelow(least, most, Slenderness);
+      ASSERT_LE(below, least);
+      const double differs = end(most) - end(least);
+      const double height = (end(most) + end(least)) / 2 - end(below);
+      EXPECT_TRUE(below == 0 ||
+        (end(least) - end(below) >= differs &&
+          Slenderness * differs / (12 * height) <= height / 2));
+    }
+  }
+}
+
+// Where walls come closer and closer there are fewer layers, and the first is as high as elsewhere.
+TEST(ThinLayers, StacksBetweenWallsKeepTheirFirstLayer)
+{
+  Execution execution(1);
+  const Soup soup =
+    tetrahedron({ Vector{ 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 0, 0, 0.4 } }).turned();
+  TestOptions options;
+  options.grid = cellsAlongLongest(soup, 40);
+  options.layers.count = 20;
+  options.layers.firstThickness = 1e-3 * 2 / 40;
+  options.memoryLimit = PlentyOfMemory;
+  const auto assembly = mesh(soup.view(), options, execution);
+  std::size_t fewer = 0;
+  for (const StackMeasure& stack : assembly->layers->boundary.stacks)
+  {
+    fewer += stack.layers > 1 && stack.layers < 20 ? 1 : 0;
+    EXPECT_TRUE(stack.layers < 2 || stack.keepsFirst);
+  }
+  EXPECT_GT(fewer, 0U);
 }
 
 }
