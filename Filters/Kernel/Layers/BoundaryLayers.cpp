@@ -73,7 +73,7 @@ private:
   void stack()
   {
     result_.stacks = stackPrisms(mesh_, wall_, heights_);
-    motion_.run();
+    motion_.run(execution_);
     for (std::size_t i = 0; i < motion_.moving().size(); ++i)
     {
       const Id p = motion_.moving()[i];
@@ -327,7 +327,7 @@ BoundaryLayers addLayers(
   for (LayerRegion& region : layerRegions(mesh, surface.walls, execution))
   {
     LayeredWall wall = findLayeredWall(std::move(region), mesh, points, spec, execution);
-    spreadWays(wall);
+    spreadWays(wall, execution);
     keepFromOpposite(wall, surface, sides, execution);
     BoundaryLayers more =
       LayerMaker(mesh, points, LayerHeights(spec), wall, sides, execution).run();

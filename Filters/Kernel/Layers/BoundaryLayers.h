@@ -13,7 +13,7 @@
 // Source: ours; the paper has no layers. The idea of moving the mesh away from the wall and filling the gap, thinner where it fails,
 // is that of snappyHexMesh's addLayersControls.
 // Limits: after everything else, so that layers adapt to the mesh and not it to them; none where a node has no direction that all
-// its faces see; most of the work is on one thread; in parts, each part makes the layers of the whole mesh.
+// its faces see; half of the work is on one thread; in parts, each part makes the layers of the whole mesh.
 #pragma once
 
 #include "Layers/SharedNodes.h"

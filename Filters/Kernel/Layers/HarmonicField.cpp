@@ -3,6 +3,8 @@
 
 #include "Polyhedra/OffsetPlanes.h"
 
+#include <numeric>
+
 namespace cartesian
 {
 
@@ -13,14 +15,25 @@ namespace
 constexpr double Tolerance = 1e-3;
 constexpr int MostSteps = 200;
 
-double product(const std::vector<Vector>& a, const std::vector<Vector>& b)
+constexpr std::size_t ItemsAChunk = 1024;
+
+template <class Visitor>
+void forEach(std::size_t count, Execution& execution, Visitor&& visit)
 {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    sum += dot(a[i], b[i]);
-  }
-  return sum;
+  execution.forEach(count, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      visit(i);
+    }
+  });
+}
+
+// Of the chunks' sums, in order.
+double product(const std::vector<Vector>& a, const std::vector<Vector>& b, Execution& execution)
+{
+  std::vector<double> sums(chunks(a.size(), ItemsAChunk));
+  forEach(a.size(), execution, [&](std::size_t i) { sums[i / ItemsAChunk] += dot(a[i], b[i]); });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 }
@@ -59,11 +72,10 @@ Vector HarmonicField::withinFixed(std::size_t i, const Vector& v) const
 }
 
 // Of each unknown the sum of the weighted differences to its neighbours, without what is fixed.
-HarmonicField::Vectors HarmonicField::times(const Vectors& values) const
+void HarmonicField::multiply(const Vectors& values, Vectors& result, Execution& execution) const
 {
-  Vectors result(unknowns());
-  for (std::size_t i = 0; i < unknowns(); ++i)
-  {
+  result.resize(unknowns());
+  forEach(unknowns(), execution, [&](std::size_t i) {
     Vector sum = scaled(values[i], sums_[i]);
     for (std::size_t l = firstLink_[i]; l < firstLink_[i + 1]; ++l)
     {
@@ -73,39 +85,36 @@ HarmonicField::Vectors HarmonicField::times(const Vectors& values) const
       }
     }
     result[i] = withinFixed(i, sum);
-  }
-  return result;
+  });
 }
 
-void HarmonicField::solve()
+void HarmonicField::solve(Execution& execution)
 {
-  Vectors residual = times(values_);
+  Vectors residual;
+  multiply(values_, residual, execution);
   Vectors scaledResidual(residual.size());
   const auto precondition = [&] {
-    for (std::size_t i = 0; i < residual.size(); ++i)
-    {
+    forEach(residual.size(), execution, [&](std::size_t i) {
       scaledResidual[i] = scaled(residual[i], sums_[i] > 0 ? 1 / sums_[i] : 0);
-    }
-    return product(residual, scaledResidual);
+    });
+    return product(residual, scaledResidual, execution);
   };
   double square = precondition();
   const double enough = Tolerance * Tolerance * square;
   Vectors step = scaledResidual;
+  Vectors ofStep;
   for (int s = 0; s < MostSteps && square > enough; ++s)
   {
-    const Vectors ofStep = times(step);
-    const double length = square / product(step, ofStep);
-    for (std::size_t i = 0; i < step.size(); ++i)
-    {
+    multiply(step, ofStep, execution);
+    const double length = square / product(step, ofStep, execution);
+    forEach(step.size(), execution, [&](std::size_t i) {
       values_[i] = minus(values_[i], scaled(step[i], length));
       residual[i] = minus(residual[i], scaled(ofStep[i], length));
-    }
+    });
     const double before = square;
     square = precondition();
-    for (std::size_t i = 0; i < step.size(); ++i)
-    {
-      step[i] = plus(scaledResidual[i], scaled(step[i], square / before));
-    }
+    forEach(step.size(), execution,
+      [&](std::size_t i) { step[i] = plus(scaledResidual[i], scaled(step[i], square / before)); });
   }
 }
 

@@ -2,6 +2,7 @@
 // Vectors at the nodes of a graph, as smooth as the known values allow.
 #pragma once
 
+#include "Base/Execution.h"
 #include "Lattice/Vector.h"
 
 #include <cstdint>
@@ -36,14 +37,14 @@ public:
   bool hold(std::size_t unknown);
 
   // From the values as they are. The same bits for any number of threads.
-  void solve();
+  void solve(Execution& execution);
 
 private:
   using Vectors = std::vector<Vector>;
 
   std::size_t unknowns() const { return sums_.size(); }
   Vector withinFixed(std::size_t i, const Vector& v) const;
-  Vectors times(const Vectors& values) const;
+  void multiply(const Vectors& values, Vectors& result, Execution& execution) const;
 
   std::vector<Vector> values_;
   std::vector<Link> links_;

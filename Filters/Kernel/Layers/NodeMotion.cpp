@@ -46,7 +46,7 @@ void tidy(std::vector<Edge>& edges)
 
 }
 
-void spreadWays(LayeredWall& wall)
+void spreadWays(LayeredWall& wall, Execution& execution)
 {
   std::vector<Edge> edges;
   for (std::size_t f = 0; f < wall.layered.size(); ++f)
@@ -75,7 +75,7 @@ void spreadWays(LayeredWall& wall)
     fixed.push_back(&normals);
   }
   HarmonicField field(wall.way, std::move(links), std::move(damping), std::move(fixed));
-  field.solve();
+  field.solve(execution);
   wall.way = std::move(field.values());
 }
 
@@ -163,13 +163,13 @@ bool NodeMotion::hold(std::uint32_t point)
     field_.hold(static_cast<std::size_t>(at - moving_.begin()));
 }
 
-void NodeMotion::run()
+void NodeMotion::run(Execution& execution)
 {
   for (std::size_t n = 0; n < wall_.nodes(); ++n)
   {
     field_.values()[moving_.size() + n] = scaled(wall_.way[n], wall_.parts[n]);
   }
-  field_.solve();
+  field_.solve(execution);
 }
 
 }

@@ -11,7 +11,7 @@ namespace cartesian
 
 // Spreads the displacements of wall nodes along the wall: components that the planes around a node do not determine
 // come from neighbouring nodes, and fade over some thicknesses. So nodes near a sharp edge make room for those on it.
-void spreadWays(LayeredWall& wall);
+void spreadWays(LayeredWall& wall, Execution& execution);
 
 // The ways of points are harmonic on the graph of the mesh's edges, whose weights are the reciprocals of their
 // lengths: along a row of points they fall linearly from the wall's to 0 at points that do not move. Those on planes
@@ -26,7 +26,7 @@ public:
   bool hold(std::uint32_t point);
 
   // As the wall's parts are now; from the ways before.
-  void run();
+  void run(Execution& execution);
 
   const std::vector<std::uint32_t>& moving() const
   {
