@@ -119,6 +119,7 @@ cartesian::Options vtkCartesianMesher::MakeOptions()
   options.layers.firstThickness = this->FirstLayerThickness;
   options.layers.thickness = this->LayersThickness;
   options.layers.lastByBox = this->LastLayer;
+  options.layers.refine = this->RefineForLayers;
   options.layers.flow = { this->TargetYPlus, this->FlowSpeed, this->FlowViscosity,
     this->FlowLength };
   for (const auto& [boundary, back] : this->Baffles)

@@ -104,6 +104,16 @@ public:
 
   ///@{
   /**
+   * With layers: boxes in which a wall turns by more than 30 degrees, except at sharp edges, are halved up to twice more,
+   * until it does not. Default on.
+   */
+  vtkSetMacro(RefineForLayers, bool);
+  vtkGetMacro(RefineForLayers, bool);
+  vtkBooleanMacro(RefineForLayers, bool);
+  ///@}
+
+  ///@{
+  /**
    * Without thicknesses: the layer at the wall is twice as thick as the distance at which y+ has this value, in the
    * turbulent boundary layer of a flat plate (Kernel/Surface/WallFlow.h); default 0, not given. Speed, kinematic viscosity
    * and length of the flow are in units of the surface and seconds; more than 0; default 10, 1.5e-5 and 0, the longest side
@@ -404,6 +414,7 @@ protected:
   double FirstLayerThickness = 0;
   double LayersThickness = 0;
   double LastLayer = 0.1;
+  bool RefineForLayers = true;
   double TargetYPlus = 0;
   double FlowSpeed = 10;
   double FlowViscosity = 1.5e-5;

@@ -38,6 +38,7 @@ int vtkMeshPreview::FillOutputPortInformation(int, vtkInformation* info)
 int vtkMeshPreview::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
+  // NOLINTNEXTLINE(bugprone-parent-virtual-call): the mesher asks for pieces
   return this->vtkCartesianAlgorithm::RequestUpdateExtent(request, input, output);
 }
 
@@ -98,7 +99,7 @@ void vtkMeshPreview::ShowBoxes(
   }
   cartesian::zonesToVTK(zones, vtkPolyData::GetData(output, 3));
   const cartesian::SurfacePieces pieces = cartesian::piecesOf(
-    surface.view(), cartesian::hasSeveralDepths(asked.options.refinement) ? PiecesAlongSurface : 0);
+    surface.view(), cartesian::hasSeveralDepths(asked.options) ? PiecesAlongSurface : 0);
   cartesian::Execution execution(this->NumberOfThreads);
   const cartesian::ExpectedDepths expected =
     cartesian::expectedDepths(surface.view(), asked.options, pieces.centres(), execution);

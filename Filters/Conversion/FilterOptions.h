@@ -114,6 +114,7 @@ void printLayerProperties(Filter* filter, ostream& os, vtkIndent indent)
   os << indent << "FlowViscosity: " << filter->GetFlowViscosity() << "\n";
   os << indent << "FlowLength: " << filter->GetFlowLength() << "\n";
   os << indent << "LastLayer: " << filter->GetLastLayer() << "\n";
+  os << indent << "RefineForLayers: " << filter->GetRefineForLayers() << "\n";
   os << indent << "LayersThickness: " << filter->GetLayersThickness() << "\n";
 }
 

@@ -34,7 +34,7 @@ struct Told
   const char* field;
   const char* text;
 };
-constexpr std::array<Told, 14> WhatWasDone{ {
+constexpr std::array<Told, 15> WhatWasDone{ {
   { "TrianglesTurned", "Triangles of the surface reoriented" },
   { "DuplicatesLeftOut", "Duplicate triangles left out" },
   { "LooseTrianglesLeftOut", "Triangles that touch no other left out" },
@@ -48,6 +48,7 @@ constexpr std::array<Told, 14> WhatWasDone{ {
   { "FragmentCellsRemoved", "Cells left out because the grid cuts them off" },
   { "IsolatedCells", "Cells connected to few or no others" },
   { "PartsLeftOut", "Parts without a Keep Point left out" },
+  { "BoxesForLayers", "Boxes added where walls with layers bend (Refine For Layers), about" },
   { "VoidsInsideCells", "Closed pieces of surface inside one cell" },
 } };
 

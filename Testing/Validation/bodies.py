@@ -126,6 +126,26 @@ def car(points=72):
     return body("car", lofted(sections), *wheels)
 
 
+def propeller(blades=3, points=48):
+    """Of a ship: broad twisted blades with round tips in a hub with round ends. Its axis is y."""
+    stations = []
+    for r in 1 - (1 - np.linspace(0, 1, 25) ** 1.5) * 0.85:
+        chord = 0.45 * np.sqrt(max(1 - ((r - 0.55) / 0.455) ** 2, 0.02))
+        stations.append((r, chord, np.degrees(np.arctan2(0.9, 2 * np.pi * r)), -0.25 * chord))
+    one = lofted(aerofoils(stations, 40))[:, :, [0, 2, 1]]  # span along z
+    one = one[:, ::-1]
+    parts = []
+    for k in range(blades):
+        c, s = np.cos(2 * np.pi * k / blades), np.sin(2 * np.pi * k / blades)
+        # The chord of a blade without twist lies in the plane of rotation: x is across the axis.
+        parts.append(one @ np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]]).T)
+    angle = 2 * np.pi * np.arange(points) / points
+    along = np.sin(np.linspace(-np.pi / 2, np.pi / 2, 33))[1:-1]
+    hub = [np.column_stack([0.22 * (1 - a ** 4) ** 0.5 * np.cos(angle), np.full(points, 0.35 * a), 0.22 * (1 - a ** 4) ** 0.5 * np.sin(angle)])
+           for a in along]
+    return body("propeller", lofted([h[::-1] for h in hub]), *parts)
+
+
 def tee(points=96):
     """Two pipes that meet at 60 degrees, of radius 0.5 and 0.35: what flows inside."""
     angle = 2 * np.pi * np.arange(points) / points
@@ -160,6 +180,8 @@ def cases():
         "DomainBounds": (-4.0, 8.0, 0.0, 5.0, -4.0, 4.0), "RefinementDepth": 5, "TransitionLayers": 3}
     yield "blade", blade(), 0.1, 0.1 / 16, ["blade"], outside | {
         "DomainBounds": (-1.0, 1.0, -0.3, 1.7, -1.0, 1.0), "RefinementDepth": 4, "TransitionLayers": 3}
+    yield "propeller", propeller(), 0.5, 0.5 / 32, ["propeller"], outside | {
+        "DomainBounds": (-3.0, 3.0, -3.0, 5.0, -3.0, 3.0), "RefinementDepth": 5, "TransitionLayers": 3}
     yield "car", car(), 1.0, 1.0 / 32, ["car"], outside | {
         "DomainBounds": (-6.0, 16.0, 0.0, 6.0, 0.0, 6.0), "RefinementDepth": 5, "TransitionLayers": 3, "Ground": "zMin"}
     yield "tee", tee(), 0.07, 0.07, ["wall"], {}

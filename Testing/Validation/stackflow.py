@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the written Allrun makes of thin layers: how far 300 iterations bring it, and y+ on the walls with whole stacks.
 
-pvpython stackflow.py [CASE...] [--layers -1] [--first y1,1e-2] [--keep FOLDER]
+pvpython stackflow.py [CASE...] [--layers -1] [--first y1,1e-2] [--keep FOLDER] [--set PROPERTY=NUMBER...]
 
 First heights are by the box at the wall; y1: from a Target Y Plus of 1. -1 layers: automatic."""
 
@@ -16,17 +16,17 @@ from paraview import simple
 
 import bodies
 import foam
-from stacks import RATIO, walls_of
+from stacks import RATIO, chosen_properties, walls_of
 from wallmeasures import Mesh
 
 ITERATIONS = 300
 # Speed and kinematic viscosity, by the surface's unit of length, and that in metres.
 FLOWS = {"section": (50, 1.5e-5, 1), "ahmed half": (40, 1.5e-5, 1), "hull": (2, 1e-6, 1), "truck": (20, 1.5e-5, 1),
-         "duct": (30000, 15, 0.001), "wing": (50, 1.5e-5, 1), "blade": (60, 1.5e-5, 1), "car": (30, 1.5e-5, 1), "tee": (5, 1.5e-5, 1)}
+         "duct": (30000, 15, 0.001), "wing": (50, 1.5e-5, 1), "blade": (60, 1.5e-5, 1), "propeller": (5, 1e-6, 1), "car": (30, 1.5e-5, 1), "tee": (5, 1.5e-5, 1)}
 NEAR = 0.06  # of its first height, a whole stack
 
 
-def write(case, layers, first, folder):
+def write(case, layers, first, folder, chosen):
     """The first height, by the surface's unit."""
     name, surface, size, local, _, named = case
     speed, viscosity, scale = FLOWS[name]
@@ -35,7 +35,7 @@ def write(case, layers, first, folder):
     named = {key: value(surface.names) if callable(value) else value for key, value in named.items()}
     height = {"TargetYPlus": 1, "FlowSpeed": speed, "FlowViscosity": viscosity} if first == "y1" else {"FirstLayerThickness": float(first) * local}
     mesher = simple.CartesianMesher(Input=simple.NamedSTLReader(FileName=str(path)), CellSize=size, Layers=layers, LayerExpansionRatio=RATIO,
-                                    **named | height)
+                                    **named | height | chosen)
     foam.save(mesher, folder, SolverSetup="Incompressible", Iterations=ITERATIONS, Scale=scale, Speed=speed * scale,
               Viscosity=viscosity * scale ** 2)
 
@@ -70,13 +70,14 @@ def main():
     parser.add_argument("--layers", default="-1", type=int)
     parser.add_argument("--first", default="y1")
     parser.add_argument("--keep")
+    parser.add_argument("--set", nargs="*", default=[])
     options = parser.parse_args()
     for case in bodies.cases():
         for first in options.first.split(",") if not options.cases or case[0] in options.cases else ():
             with tempfile.TemporaryDirectory() as scratch:
                 folder = pathlib.Path(options.keep or scratch) / f"{case[0]}-{options.layers}-{first}".replace(" ", "-")
                 folder.mkdir(parents=True, exist_ok=True)
-                write(case, options.layers, first, folder)
+                write(case, options.layers, first, folder, chosen_properties(options.set))
                 foam.run(folder, "./Allrun")
                 log = (folder / "log.simpleFoam").read_text()
                 residuals = re.findall(r"Solving for p, Initial residual = ([^,]+)", log)

@@ -23,7 +23,7 @@ RATIO = 1.2
 
 
 def meshed(case, folder, properties):
-    """Seconds of CPU, and layers of a stack; the case is in the folder."""
+    """Seconds of CPU, layers of a stack, and the share of the walls without any; the case is in the folder."""
     _, surface, size, _, _, named = case
     path = pathlib.Path(folder) / "surface.stl"
     surface.write(path)
@@ -35,12 +35,15 @@ def meshed(case, folder, properties):
     begin = time.process_time()
     filter.Update()
     seconds = time.process_time() - begin
-    layers = filter.GetOutputDataObject(0).GetFieldData().GetArray("LayersOfAStack")
+    arrays = filter.GetOutputDataObject(0).GetFieldData()
+    layers, bare = (arrays.GetArray(name) for name in ("LayersOfAStack", "BoundaryBareAreas"))
+    asked = [i for i in range(bare.GetNumberOfTuples()) if arrays.GetArray("BoundaryLayersAsked").GetTuple1(i)] if bare else []
+    shares = sum(bare.GetTuple1(i) for i in asked) / sum(arrays.GetArray("BoundaryAreas").GetTuple1(i) for i in asked) if asked else 0
     layers = int(layers.GetTuple1(0)) if layers else 0
     foam.save(mesher, folder)
     for proxy in mesher, reader:
         simple.Delete(proxy)
-    return seconds, layers
+    return seconds, layers, shares
 
 
 def walls_of(mesh, case):
@@ -59,6 +62,10 @@ def whole(mesh, walls, layers, first):
     return (area * is_whole).sum() / area.sum()
 
 
+def chosen_properties(texts):
+    return {name: float(value) if "." in value else int(value) for name, value in (one.split("=") for one in texts)}
+
+
 def check(folder):
     out = foam.run(folder, "checkMesh")
     text = out if isinstance(out, str) else getattr(out, "stdout", "")
@@ -73,7 +80,7 @@ def main():
     parser.add_argument("--keep")
     parser.add_argument("--set", nargs="*", default=[])
     options = parser.parse_args()
-    chosen = {name: float(value) if "." in value else int(value) for name, value in (one.split("=") for one in options.set)}
+    chosen = chosen_properties(options.set)
     for case in bodies.cases():
         if options.cases and case[0] not in options.cases:
             continue
@@ -84,12 +91,12 @@ def main():
                     folder.mkdir(parents=True, exist_ok=True)
                     height = float(first) * case[3]
                     named = {"Layers": int(layers) if layers != "auto" else -1, "LayerExpansionRatio": RATIO, "FirstLayerThickness": height}
-                    seconds, made = meshed(case, folder, chosen | (named if layers != "0" else {}))
+                    seconds, made, bare = meshed(case, folder, chosen | (named if layers != "0" else {}))
                     mesh = Mesh(folder)
                     walls = walls_of(mesh, case)
                     share = whole(mesh, walls, made, height) if made else float("nan")
                     print(f"{case[0]:12} {made:4} layers, first {first:>5}: {mesh.cells:8} cells {seconds:6.1f} s "
-                          f"{1e6 * seconds / mesh.cells:6.1f} us/cell  whole {share:.4f}  {' | '.join(check(folder))}", flush=True)
+                          f"{1e6 * seconds / mesh.cells:6.1f} us/cell  whole {share:.4f} bare {bare:.4f}  {' | '.join(check(folder))}", flush=True)
 
 
 if __name__ == "__main__":

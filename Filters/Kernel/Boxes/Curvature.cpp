@@ -31,17 +31,17 @@ struct Scratch
 class Bends
 {
 public:
-  Bends(const SizingSpec& spec, const Surface& surface, const Meshlines& planes,
+  Bends(const BendSpec& spec, const Surface& surface, const Meshlines& planes,
     const Octants& octants, Execution& execution)
     : spec_(spec)
     , surface_(surface)
     , planes_(planes)
     , octants_(octants)
     , features_(findFeatures(surface, spec.featureAngle, execution))
-    , leastCosine_(std::cos(radians(spec.curvatureAngle)))
-    , halfCosine_(std::cos(radians(spec.curvatureAngle / 2)))
+    , leastCosine_(std::cos(radians(spec.angle)))
+    , halfCosine_(std::cos(radians(spec.angle / 2)))
   {
-    if (spec.curvatureAngle > 0)
+    if (spec.angle > 0)
     {
       findFans(execution);
     }
@@ -51,7 +51,7 @@ public:
     std::vector<Octants::Key>& found) const
   {
     gather(global, triangles, scratch.ofLevel[0]);
-    divide(global, scratch, found);
+    divide(global, spec_.depths(global.global), scratch, found);
   }
 
 private:
@@ -99,7 +99,7 @@ private:
     for (const std::uint32_t* t = triangles.first; t != triangles.second; ++t)
     {
       const Corners corners = surface_.corners(*t);
-      if (isBeside(corners, low, high))
+      if (!looksAt(*t) || isBeside(corners, low, high))
       {
         continue;
       }
@@ -111,6 +111,8 @@ private:
       }
     }
   }
+
+  bool looksAt(std::uint32_t t) const { return spec_.looksAt.empty() || spec_.looksAt[t] != 0; }
 
   static bool isBeside(const Corners& c, const Point& low, const Point& high)
   {
@@ -134,11 +136,13 @@ private:
     return sharp;
   }
 
-  void divide(const Octant& octant, Scratch& scratch, std::vector<Octants::Key>& found) const
+  // `depths`: there are such boxes anyway, and the largest for the angle.
+  void divide(const Octant& octant, const std::pair<int, int>& depths, Scratch& scratch,
+    std::vector<Octants::Key>& found) const
   {
     const Content& here = scratch.ofLevel[static_cast<std::size_t>(octant.level)];
     const bool isForSharp = here.sharp && octant.level < spec_.featureDepth;
-    if (!isForSharp && (octant.level >= spec_.largestDepth || !bends(here, scratch)))
+    if (!isForSharp && (octant.level >= depths.second || !bends(here, scratch)))
     {
       return;
     }
@@ -151,8 +155,11 @@ private:
       gather(part, triangles, content);
       if (!content.triangles.empty())
       {
-        found.push_back(octants_.keyOf(part));
-        divide(part, scratch, found);
+        if (part.level > depths.first)
+        {
+          found.push_back(octants_.keyOf(part));
+        }
+        divide(part, depths, scratch, found);
       }
     }
   }
@@ -161,7 +168,7 @@ private:
   bool bends(const Content& content, Scratch& scratch) const
   {
     const std::vector<std::uint32_t>& triangles = content.triangles;
-    if (spec_.curvatureAngle <= 0)
+    if (spec_.angle <= 0)
     {
       return false;
     }
@@ -214,7 +221,7 @@ private:
     }
   }
 
-  const SizingSpec& spec_;
+  const BendSpec& spec_;
   const Surface& surface_;
   const Meshlines& planes_;
   const Octants& octants_;
@@ -226,7 +233,7 @@ private:
 
 }
 
-void addBends(const SizingSpec& spec, const Surface& surface, const Shoeboxes& shoeboxes,
+void addBends(const BendSpec& spec, const Surface& surface, const Shoeboxes& shoeboxes,
   const Meshlines& planes, Octants& octants, Execution& execution)
 {
   const Bends bends(spec, surface, planes, octants, execution);

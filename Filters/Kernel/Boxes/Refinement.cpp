@@ -38,9 +38,38 @@ void requireDivisible(const Meshlines& planes, int depth)
   }
 }
 
+double shortestEdge(const std::array<std::uint32_t, 3>& global, const Meshlines& planes)
+{
+  double least = LevelsOfTheDomain;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    least = std::min(least, double(planes[axis][global[axis] + 1]) - planes[axis][global[axis]]);
+  }
+  return least;
+}
+
+int deepestDivisible(const Meshlines& planes)
+{
+  Level least = LevelsOfTheDomain;
+  for (const std::vector<Level>& ofAxis : planes)
+  {
+    for (std::size_t i = 0; i + 1 < ofAxis.size(); ++i)
+    {
+      least = std::min(least, ofAxis[i + 1] - ofAxis[i]);
+    }
+  }
+  int depth = 0;
+  while (depth < DeepestLevel && least >= leastWidth(depth + 1))
+  {
+    ++depth;
+  }
+  return depth;
+}
+
 SizingSpec relaxed(SizingSpec spec, double factor)
 {
   spec.curvatureAngle = std::min(SizingSpec::CurvatureAngles.most, spec.curvatureAngle * factor);
+  spec.angleAtLayers = std::min(SizingSpec::CurvatureAngles.most, spec.angleAtLayers * factor);
   spec.cellsAcrossGaps /= factor;
   for (WantedSize& wanted : spec.sizes)
   {
@@ -73,7 +102,14 @@ void RefinementSpec::addUnlessThere(const BoundaryRefinement& row)
 
 int RefinementSpec::deepest() const
 {
-  int result = std::max(depth, sizing.deepest());
+  const int ofParts = deepestOfParts();
+  const int atLayers = std::max(ofParts, std::min(ofParts + sizing.halvingsAtLayers, DeepestLevel));
+  return std::max(atLayers, sizing.deepest());
+}
+
+int RefinementSpec::deepestOfParts() const
+{
+  int result = depth;
   for (const RefinementBlock& block : blocks)
   {
     result = std::max({ result, block.allowed, block.forced });
@@ -95,8 +131,8 @@ Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
   , sizing_(spec.sizing)
   , octants_(planes)
   , transitionLayers_(std::max(1, spec.transitionLayers))
-  , any_(spec.depth > 0 || !spec.blocks.empty() || !spec.boundaries.empty() ||
-      !spec.regions.empty() || spec.sizing.any())
+  , anyWithoutLayers_(spec.depth > 0 || !spec.blocks.empty() || !spec.boundaries.empty() ||
+      !spec.regions.empty() || spec.sizing.asksEverywhere())
 {
   checkDepth(spec.depth, "Refinement Depth");
   requireInRange(
@@ -139,7 +175,10 @@ void Refinement::addSizes(const SizingSpec& spec, const Surface& surface,
   requireDivisible(planes, spec.deepest());
   if (spec.curvatureAngle > 0 || spec.featureDepth > 0)
   {
-    addBends(spec, surface, shoeboxes, planes, octants_, execution);
+    const std::pair depths(0, spec.largestDepth);
+    addBends({ spec.curvatureAngle, spec.featureDepth, spec.featureAngle, {},
+               [&](const std::array<std::uint32_t, 3>&) { return depths; } },
+      surface, shoeboxes, planes, octants_, execution);
   }
   if (spec.cellsAcrossGaps > 0 && spec.largestDepth > 0)
   {
@@ -149,7 +188,31 @@ void Refinement::addSizes(const SizingSpec& spec, const Surface& surface,
   {
     addWantedSizes(spec, surface, shoeboxes, planes, octants_, execution);
   }
+  if (spec.halvingsAtLayers > 0)
+  {
+    addBendsAtLayers(spec, surface, shoeboxes, planes, execution);
+  }
   deepest_ = std::max(deepest_, octants_.deepest());
+}
+
+void Refinement::addBendsAtLayers(const SizingSpec& spec, const Surface& surface,
+  const Shoeboxes& shoeboxes, const Meshlines& planes, Execution& execution)
+{
+  const int most = deepestDivisible(planes);
+  BendSpec bends{ spec.angleAtLayers, 0, spec.featureAngle, {},
+    [&](const std::array<std::uint32_t, 3>& global) {
+      const int allowed = withoutSizesAt(global[0], global[1], global[2]).allowed;
+      const double box =
+        std::ldexp(shortestEdge(global, planes), -allowed) * surface.lattice.step();
+      const int more = isFlat(spec.layers, box) ? spec.halvingsAtLayers : 0;
+      return std::pair(allowed, std::max(allowed, std::min(allowed + more, most)));
+    } };
+  bends.looksAt.reserve(surface.triangles.size());
+  for (const std::int32_t wall : surface.boundary)
+  {
+    bends.looksAt.push_back(hasLayersOn(spec.layers, surface.walls, wall) ? 1 : 0);
+  }
+  addBends(bends, surface, shoeboxes, planes, octants_, execution);
 }
 
 void Refinement::addBlocks(const RefinementSpec& spec, const Meshlines& planes)
@@ -236,6 +299,18 @@ void Refinement::addBoundary(const BoundaryRefinement& row, std::size_t number,
 
 Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
 {
+  Depths depths = withoutSizesAt(i, j, k);
+  const std::array<std::uint32_t, 3> global = { static_cast<std::uint32_t>(i),
+    static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(k) };
+  const Octants::Range octants = octants_.in(global);
+  const int sized = Octants::deepestIn(octants);
+  depths.octants = static_cast<std::size_t>(octants.second - octants.first);
+  depths.sized = sized > depths.forced ? sized : 0;
+  return depths;
+}
+
+Depths Refinement::withoutSizesAt(std::int64_t i, std::int64_t j, std::int64_t k) const
+{
   const std::array<std::int64_t, 3> at = { i, j, k };
   Depths depths{ depth_, 0 };
   for (const RefinementBlock& block : blocks_)
@@ -271,13 +346,7 @@ Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
     int& depth = status == BoxStatus::Inside ? depths.forced : depths.touched;
     depth = std::max(depth, status == BoxStatus::Outside ? 0 : region->depth());
   }
-  const std::array<std::uint32_t, 3> global = { static_cast<std::uint32_t>(i),
-    static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(k) };
-  const Octants::Range octants = octants_.in(global);
-  depths.sized = Octants::deepestIn(octants);
-  depths.octants = static_cast<std::size_t>(octants.second - octants.first);
   depths.touched = depths.touched > depths.forced ? depths.touched : 0;
-  depths.sized = depths.sized > depths.forced ? depths.sized : 0;
   depths.allowed = std::max(depths.allowed, depths.forced);
   return depths;
 }

@@ -47,8 +47,9 @@ struct RefinementSpec
 
   void addUnlessThere(const BoundaryRefinement& row); // of that boundary
 
-  // The largest depth that is asked for anywhere, right or not.
+  // The largest depth that is asked for anywhere, right or not; and apart from sizes.
   int deepest() const;
+  int deepestOfParts() const;
 
   int depth = 0; // of all boxes without another specification, 0 to DeepestLevel
   std::vector<RefinementBlock> blocks;        // the last one wins
@@ -110,6 +111,9 @@ public:
 
   Depths at(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
+  // Without what the shape of the surface and fields require.
+  Depths withoutSizesAt(std::int64_t i, std::int64_t j, std::int64_t k) const;
+
   // By depth, ascending: about which part of a global box regions touch that do so in part only.
   std::vector<TouchedPart> touchedParts(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
@@ -125,7 +129,7 @@ public:
     const Forcing& forcing, const Cube& cube, int bits, std::size_t unit, ForcingScratch& scratch);
 
   // Whether any box is divided.
-  bool any() const { return any_; }
+  bool any() const { return anyWithoutLayers_ || deepest_ > deepestWithoutSizes_; }
 
   // The most times that a box is halved along an axis.
   int deepest() const { return deepest_; }
@@ -148,6 +152,8 @@ private:
     const Shoeboxes& shoeboxes, const Meshlines& planes);
   void addSizes(const SizingSpec& spec, const Surface& surface, const Shoeboxes& shoeboxes,
     const Meshlines& planes, Execution& execution);
+  void addBendsAtLayers(const SizingSpec& spec, const Surface& surface, const Shoeboxes& shoeboxes,
+    const Meshlines& planes, Execution& execution);
   int depth_;
   SizingSpec sizing_;
   std::vector<RefinementBlock> blocks_;
@@ -155,7 +161,7 @@ private:
   std::vector<std::unique_ptr<RefinedRegion>> regions_;
   Octants octants_;
   int transitionLayers_;
-  bool any_;
+  bool anyWithoutLayers_;
   int deepest_ = 0;
   int deepestWithoutSizes_ = 0;
   std::string warnings_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/Range.h"
+#include "Surface/WallLayerSpec.h"
 
 #include <algorithm>
 #include <array>
@@ -33,13 +34,20 @@ struct SizingSpec
   int largestDepth = 3;               // where angle, gaps and sizes end, 0 to DeepestLevel
   double featureAngle = 30;           // degrees: edges at which the surface turns by more are sharp
 
-  bool any() const
+  // Flat prisms (isFlat) end where a wall turns by more than `angleAtLayers` degrees in a box. Boxes at walls that get some
+  // are halved up to so often more than all else but sizes requires, until the wall turns less.
+  int halvingsAtLayers = 0;
+  double angleAtLayers = 30;
+  WallLayerSpec layers; // their number and first thickness are known
+
+  bool any() const { return asksEverywhere() || halvingsAtLayers > 0; }
+  bool asksEverywhere() const
   {
     return curvatureAngle > 0 || featureDepth > 0 || cellsAcrossGaps > 0 || asksForSizes();
   }
   bool asksForSizes() const { return !sizes.empty() || !sizeOfTriangle.empty(); }
 
-  // The most times that a box may be halved for all this.
+  // The most times that a box may be halved for all this, apart from layers.
   int deepest() const
   {
     const bool byDepth = curvatureAngle > 0 || cellsAcrossGaps > 0 || asksForSizes();

@@ -38,42 +38,58 @@ public:
     , wall_(wall)
     , sides_(sides)
     , execution_(execution)
-    , near_(findNearCells(mesh, wall, Rings))
-    , motion_(near_, wall, points)
+    , near_(findNearCells(mesh, wall, Rings, execution))
+    , motion_(near_, wall, points, execution)
     , faults_(near_, points, execution)
     , longestWay_(longestWay(wall))
+    , points_(points)
   {
   }
 
   BoundaryLayers run()
   {
-    // At last all is measured, as what hardly moves was left out.
-    bool all = true;
+    // First all is measured, then what moved by more than this; at last whatever moved.
+    std::optional<double> least;
     for (int round = 0;; ++round)
     {
       execution_.reach(1 - 1 / (1 + 0.3 * double(round)));
       smooth();
-      stack();
-      const bool changed = mendFaults(all, round < ThinningRounds ? Thinned : 0);
-      if (!changed && (all || round == 0))
+      move();
+      const bool changed = mendFaults(least, round < ThinningRounds ? Thinned : 0);
+      if (!changed && least.value_or(0) == 0)
       {
         break;
       }
-      all = !changed;
+      least = changed ? LeastMove * longestWay_ : 0;
     }
-    const std::vector<double> volumes = volumesOf(near_.cells, pointsNow());
-    result_.boundary =
-      boundaryOf(mesh_, wall_, heights_, lastByCells(wall_, heights_, near_, volumes));
+    result_.stacks = stackPrisms(mesh_, wall_, heights_, {}, execution_);
+    const std::vector<double> volumes = volumesOf(near_.cells, points_, execution_);
+    result_.boundary = boundaryOf(
+      mesh_, wall_, heights_, lastByCells(wall_, heights_, near_, volumes, execution_), execution_);
     listChanged(volumes);
+    result_.stacks.moved = std::move(moved_);
     result_.copies = shareNodes(mesh_, wall_, result_.stacks, result_.boundary);
     return std::move(result_);
   }
 
 private:
-  void stack()
+  // The mesh's points.
+  void move()
   {
-    result_.stacks = stackPrisms(mesh_, wall_, heights_);
     motion_.run(execution_);
+    moved_.clear();
+    const auto place = [&](Id point, const Vector& to) {
+      moved_.push_back({ point, to });
+      std::copy(to.begin(), to.end(), points_.begin() + 3 * std::ptrdiff_t(point));
+    };
+    std::copy(before_.begin(), before_.end(), points_.begin());
+    for (std::size_t n = 0; n < wall_.nodes(); ++n)
+    {
+      if (wall_.parts[n] > 0)
+      {
+        place(wall_.of.mesh.meshPoint[n], wall_.at(n, wall_.parts[n]));
+      }
+    }
     for (std::size_t i = 0; i < motion_.moving().size(); ++i)
     {
       const Id p = motion_.moving()[i];
@@ -81,20 +97,9 @@ private:
       {
         const double* const at = &before_[3 * static_cast<std::size_t>(p)];
         const Vector from{ at[0], at[1], at[2] };
-        result_.stacks.moved.push_back({ p, plus(from, sides_.within(from, way)) });
+        place(p, plus(from, sides_.within(from, way)));
       }
     }
-  }
-
-  std::vector<double> pointsNow() const
-  {
-    std::vector<double> points = before_;
-    for (const MovedPoint& moved : result_.stacks.moved)
-    {
-      std::copy(moved.to.begin(), moved.to.end(), points.begin() + 3 * std::ptrdiff_t(moved.point));
-    }
-    points.insert(points.end(), result_.stacks.points.begin(), result_.stacks.points.end());
-    return points;
   }
 
   static double longestWay(const LayeredWall& wall)
@@ -107,35 +112,104 @@ private:
     return longest;
   }
 
-  // From where a point was when it was measured last.
-  double moveOf(const std::vector<double>& points, std::size_t p) const
+  // Of each of the mesh's points: whether it has moved by more since it was measured last.
+  std::vector<std::uint8_t> movedBy(double least) const
   {
-    const double* const from = &measured_.points[3 * p];
-    const double* const to = &points[3 * p];
-    return norm(Vector{ to[0] - from[0], to[1] - from[1], to[2] - from[2] });
-  }
-
-  // Since they were measured last; of the stacks those above nodes whose part is another.
-  std::vector<std::uint8_t> listMoved(const std::vector<double>& points, bool all) const
-  {
-    const std::size_t ofMesh = before_.size() / 3;
-    std::vector<std::uint8_t> hasMoved(points.size() / 3, all);
-    const double least = LeastMove * longestWay_;
-    for (std::size_t p = 0; !all && p < hasMoved.size(); ++p)
+    std::vector<std::uint8_t> hasMoved(points_.size() / 3);
+    for (std::size_t p = 0; p < hasMoved.size(); ++p)
     {
-      const std::size_t n = p < ofMesh ? None : result_.stacks.nodeOfPoint[p - ofMesh];
-      hasMoved[p] = n != None ? wall_.parts[n] != measured_.parts[n] : moveOf(points, p) > least;
+      const double* const from = &measured_.points[3 * p];
+      const double* const to = &points_[3 * p];
+      hasMoved[p] = norm(Vector{ to[0] - from[0], to[1] - from[1], to[2] - from[2] }) > least;
     }
     return hasMoved;
   }
 
-  // Whether there are any; the remedy.
-  bool mendFaults(bool all, double factor)
+  // Also all other nodes of faces with one of these.
+  std::vector<std::uint8_t> grown(const std::vector<std::uint8_t>& nodes) const
   {
-    std::vector<double> points = pointsNow();
-    const std::vector<LayerFault> found =
-      faults_.find(result_.stacks, points, listMoved(points, all), execution_);
-    measured_ = { std::move(points), wall_.parts };
+    std::vector<std::uint8_t> result = nodes;
+    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
+    {
+      bool any = false;
+      for (std::size_t i = 0; i < wall_.corners(f); ++i)
+      {
+        any = any || nodes[wall_.node(f, i)] != 0;
+      }
+      for (std::size_t i = 0; any && i < wall_.corners(f); ++i)
+      {
+        result[wall_.node(f, i)] = 1;
+      }
+    }
+    return result;
+  }
+
+  // Nodes above which stacks have changed: sides are divided as the layers on either face require.
+  std::vector<std::uint8_t> changedNodes() const
+  {
+    std::vector<std::uint8_t> nodes(wall_.nodes());
+    for (std::size_t n = 0; n < wall_.nodes(); ++n)
+    {
+      nodes[n] = wall_.parts[n] != measured_.parts[n];
+    }
+    return grown(nodes);
+  }
+
+  // Faces whose stacks have changed, or may have a face in common with what has.
+  std::vector<std::uint8_t> facesNear(
+    const std::vector<std::uint8_t>& changed, const std::vector<std::uint8_t>& isTouched) const
+  {
+    std::vector<std::uint8_t> nodes = grown(changed);
+    for (std::size_t n = 0; n < wall_.nodes(); ++n)
+    {
+      nodes[n] |= isTouched[static_cast<std::size_t>(wall_.of.mesh.meshPoint[n])];
+    }
+    std::vector<std::uint8_t> faces(wall_.layered.size());
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      for (std::size_t i = 0; i < wall_.corners(f); ++i)
+      {
+        faces[f] |= nodes[wall_.node(f, i)];
+      }
+    }
+    return faces;
+  }
+
+  // In all cells.
+  std::vector<LayerFault> findFaults()
+  {
+    result_.stacks = stackPrisms(mesh_, wall_, heights_, {}, execution_);
+    return faults_.find(result_.stacks, allPoints(), execution_);
+  }
+
+  // In what has changed since it was measured, and beside it; these stacks are made. `hasMoved`: of the mesh's points.
+  std::vector<LayerFault> findFaults(const std::vector<std::uint8_t>& hasMoved)
+  {
+    LayerFaults::Changes changes = faults_.changesBy(hasMoved);
+    const std::vector<std::uint8_t> nodes = changedNodes();
+    result_.stacks =
+      stackPrisms(mesh_, wall_, heights_, facesNear(nodes, changes.isTouched), execution_);
+    for (const std::size_t n : result_.stacks.nodeOfPoint)
+    {
+      changes.ofStacks.push_back(nodes[n]);
+    }
+    return faults_.find(result_.stacks, allPoints(), changes, execution_);
+  }
+
+  std::vector<double> allPoints() const
+  {
+    std::vector<double> points = points_;
+    points.insert(points.end(), result_.stacks.points.begin(), result_.stacks.points.end());
+    return points;
+  }
+
+  // Whether there are any, of what moved by more than `least`, or of all; the remedy.
+  bool mendFaults(const std::optional<double>& least, double factor)
+  {
+    const std::vector<std::uint8_t> hasMoved =
+      least ? movedBy(*least) : std::vector<std::uint8_t>();
+    const std::vector<LayerFault> found = least ? findFaults(hasMoved) : findFaults();
+    setMeasured(hasMoved);
     next_ = wall_.parts;
     bool changed = false;
     for (const LayerFault& fault : found)
@@ -145,6 +219,23 @@ private:
     }
     wall_.parts = std::move(next_);
     return changed;
+  }
+
+  void setMeasured(const std::vector<std::uint8_t>& hasMoved)
+  {
+    measured_.parts = wall_.parts;
+    if (hasMoved.empty())
+    {
+      measured_.points = points_;
+    }
+    for (std::size_t p = 0; p < hasMoved.size(); ++p)
+    {
+      if (hasMoved[p])
+      {
+        std::copy_n(points_.begin() + 3 * std::ptrdiff_t(p), 3,
+          measured_.points.begin() + 3 * std::ptrdiff_t(p));
+      }
+    }
   }
 
   // The points of cells inside the mesh stay where they were.
@@ -271,7 +362,7 @@ private:
 
   void listChanged(const std::vector<double>& now)
   {
-    const std::vector<double> former = volumesOf(near_.cells, before_);
+    const std::vector<double> former = volumesOf(near_.cells, before_, execution_);
     for (std::size_t c = 0; c < now.size(); ++c)
     {
       if (now[c] != former[c] && former[c] > LeastFormer * now[c])
@@ -284,8 +375,8 @@ private:
   // As they were when faults were looked for last.
   struct Measured
   {
-    std::vector<double> points;
-    std::vector<double> parts; // of the wall
+    std::vector<double> points; // of the mesh
+    std::vector<double> parts;  // of the wall
   };
 
   const OutputMesh& mesh_;
@@ -298,6 +389,8 @@ private:
   NodeMotion motion_;
   const LayerFaults faults_;
   const double longestWay_;
+  std::vector<double> points_; // ... as they are now
+  std::vector<MovedPoint> moved_;
   Measured measured_;
   std::vector<double> next_; // parts
   BoundaryLayers result_;

@@ -14,6 +14,9 @@ namespace
 // Boxes that differ by less are as large as each other: rounding to levels and planes moved aside count for nothing.
 constexpr double SameSize = 0.01;
 
+// Of the area of walls with layers: if less of it is in smaller boxes, these do not count.
+constexpr double LeastShare = 0.01;
+
 // The shortest side of an undivided box, in levels.
 double shortestOf(const Meshlines& planes)
 {
@@ -46,12 +49,12 @@ double BoxSides::shortestSide(const Box& box) const
   return std::abs(least / halved - 1) < SameSize ? halved : least;
 }
 
-double usualBoxSide(
+double boxSideForLayers(
   const Boxes& boxes, const Patches& patches, const WallLayerSpec& layers, Execution& execution)
 {
   const BoxSides of(boxes);
   const std::vector<std::uint32_t> box = intersectedBoxes(boxes, execution);
-  std::map<double, std::size_t> count;
+  std::map<double, std::size_t> count; // by their sides, ascending
   for (std::size_t b = 0; b < box.size(); ++b)
   {
     const auto begin = patches.boundary.begin() + static_cast<std::ptrdiff_t>(patches.boxStart[b]);
@@ -63,15 +66,20 @@ double usualBoxSide(
       ++count[of.shortestSide(boxes.box(box[b]))];
     }
   }
-  std::pair<double, std::size_t> most{ of.undivided(), 0 };
+  std::pair<double, double> most{ of.undivided(), 0 }; // side, area
+  double all = 0;
+  double before = 0; // of boxes smaller than those of the most
   for (const auto& [side, boxesOfIt] : count)
   {
-    if (boxesOfIt >= most.second)
+    const double area = static_cast<double>(boxesOfIt) * side * side;
+    if (area >= most.second)
     {
-      most = { side, boxesOfIt };
+      most = { side, area };
+      before = all;
     }
+    all += area;
   }
-  return most.first * boxes.lattice.step();
+  return (before > LeastShare * all ? 0.5 : 1) * most.first * boxes.lattice.step();
 }
 
 std::vector<double> boxSides(const OutputMesh& mesh, const std::vector<BoundaryFace>& faces)
@@ -79,6 +87,7 @@ std::vector<double> boxSides(const OutputMesh& mesh, const std::vector<BoundaryF
   const Boxes& boxes = mesh.boxes();
   const BoxSides of(boxes);
   std::vector<double> sides;
+  sides.reserve(faces.size());
   for (const BoundaryFace& face : faces)
   {
     sides.push_back(of.shortestSide(boxes.box(mesh.boxOf(face.cell))) * boxes.lattice.step());

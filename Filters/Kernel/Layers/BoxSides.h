@@ -21,8 +21,9 @@ private:
   double undivided_; // the shortest, were no box divided
 };
 
-// The side that most boxes have at walls with layers, in user units; of equally many, the longest.
-double usualBoxSide(
+// By which an automatic number of layers is chosen, in user units: the side of the boxes that most of the walls with layers passes
+// through, of equal parts the longest; half of it if some are smaller: layers as high as most of those would end there.
+double boxSideForLayers(
   const Boxes& boxes, const Patches& patches, const WallLayerSpec& layers, Execution& execution);
 
 // At each face, in user units.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/HarmonicField.h"
 
+#include "Base/ForEachItem.h"
 #include "Polyhedra/OffsetPlanes.h"
 
 #include <numeric>
@@ -15,45 +16,32 @@ namespace
 constexpr double Tolerance = 1e-3;
 constexpr int MostSteps = 200;
 
-constexpr std::size_t ItemsAChunk = 1024;
-
-template <class Visitor>
-void forEach(std::size_t count, Execution& execution, Visitor&& visit)
-{
-  execution.forEach(count, ItemsAChunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      visit(i);
-    }
-  });
-}
-
 // Of the chunks' sums, in order.
 double product(const std::vector<Vector>& a, const std::vector<Vector>& b, Execution& execution)
 {
-  std::vector<double> sums(chunks(a.size(), ItemsAChunk));
-  forEach(a.size(), execution, [&](std::size_t i) { sums[i / ItemsAChunk] += dot(a[i], b[i]); });
+  std::vector<double> sums(chunks(a.size(), ItemsOfALoop));
+  forEachItem(
+    a.size(), execution, [&](std::size_t i) { sums[i / ItemsOfALoop] += dot(a[i], b[i]); });
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 }
 
-HarmonicField::HarmonicField(std::vector<Vector> values, std::vector<Link> links,
-  std::vector<double> damping, std::vector<const std::vector<Vector>*> fixed)
+HarmonicField::HarmonicField(std::vector<Vector> values, std::vector<std::size_t> firstLink,
+  std::vector<Link> links, std::vector<double> damping,
+  std::vector<const std::vector<Vector>*> fixed)
   : values_(std::move(values))
+  , firstLink_(std::move(firstLink))
   , links_(std::move(links))
-  , firstLink_(damping.size() + 1)
   , sums_(std::move(damping))
   , fixed_(std::move(fixed))
 {
-  for (const Link& link : links_)
-  {
-    ++firstLink_[link.from + 1];
-    sums_[link.from] += link.weight;
-  }
   for (std::size_t i = 0; i < unknowns(); ++i)
   {
-    firstLink_[i + 1] += firstLink_[i];
+    for (std::size_t l = firstLink_[i]; l < firstLink_[i + 1]; ++l)
+    {
+      sums_[i] += links_[l].weight;
+    }
   }
 }
 
@@ -75,7 +63,7 @@ Vector HarmonicField::withinFixed(std::size_t i, const Vector& v) const
 void HarmonicField::multiply(const Vectors& values, Vectors& result, Execution& execution) const
 {
   result.resize(unknowns());
-  forEach(unknowns(), execution, [&](std::size_t i) {
+  forEachItem(unknowns(), execution, [&](std::size_t i) {
     Vector sum = scaled(values[i], sums_[i]);
     for (std::size_t l = firstLink_[i]; l < firstLink_[i + 1]; ++l)
     {
@@ -94,7 +82,7 @@ void HarmonicField::solve(Execution& execution)
   multiply(values_, residual, execution);
   Vectors scaledResidual(residual.size());
   const auto precondition = [&] {
-    forEach(residual.size(), execution, [&](std::size_t i) {
+    forEachItem(residual.size(), execution, [&](std::size_t i) {
       scaledResidual[i] = scaled(residual[i], sums_[i] > 0 ? 1 / sums_[i] : 0);
     });
     return product(residual, scaledResidual, execution);
@@ -107,13 +95,13 @@ void HarmonicField::solve(Execution& execution)
   {
     multiply(step, ofStep, execution);
     const double length = square / product(step, ofStep, execution);
-    forEach(step.size(), execution, [&](std::size_t i) {
+    forEachItem(step.size(), execution, [&](std::size_t i) {
       values_[i] = minus(values_[i], scaled(step[i], length));
       residual[i] = minus(residual[i], scaled(ofStep[i], length));
     });
     const double before = square;
     square = precondition();
-    forEach(step.size(), execution,
+    forEachItem(step.size(), execution,
       [&](std::size_t i) { step[i] = plus(scaledResidual[i], scaled(step[i], square / before)); });
   }
 }

@@ -18,16 +18,16 @@ class HarmonicField
 public:
   struct Link
   {
-    std::uint32_t from; // an unknown
-    std::uint32_t to;   // an unknown or a known
+    std::uint32_t to; // an unknown or a known
     double weight;
   };
 
   HarmonicField() = default;
 
-  // `values`: of the unknowns, to start with, then of the knowns. `links` in order of `from`. `damping`: of each
-  // unknown, its weight towards 0. `fixed`: of each unknown, orthogonal normals of length 1, or null; borrowed.
-  HarmonicField(std::vector<Vector> values, std::vector<Link> links, std::vector<double> damping,
+  // `values`: of the unknowns, to start with, then of the knowns. `firstLink`: of each unknown, and the end. `damping`: of
+  // each unknown, its weight towards 0. `fixed`: of each unknown, orthogonal normals of length 1, or null; borrowed.
+  HarmonicField(std::vector<Vector> values, std::vector<std::size_t> firstLink,
+    std::vector<Link> links, std::vector<double> damping,
     std::vector<const std::vector<Vector>*> fixed);
 
   std::vector<Vector>& values() { return values_; }
@@ -47,9 +47,9 @@ private:
   void multiply(const Vectors& values, Vectors& result, Execution& execution) const;
 
   std::vector<Vector> values_;
-  std::vector<Link> links_;
   std::vector<std::size_t> firstLink_; // of each unknown, and the end
-  std::vector<double> sums_;           // of the weights of each unknown
+  std::vector<Link> links_;
+  std::vector<double> sums_; // of the weights of each unknown
   std::vector<const std::vector<Vector>*> fixed_;
 };
 

@@ -54,9 +54,9 @@ std::vector<FaceOfCell> facesAtWall(const NearCells& near)
 }
 
 std::vector<double> lastByCells(const LayeredWall& wall, const LayerHeights& heights,
-  const NearCells& near, const std::vector<double>& volumes)
+  const NearCells& near, const std::vector<double>& volumes, Execution& execution)
 {
-  const StackCells cells(wall, heights);
+  const StackCells cells(wall, heights, execution);
   const std::vector<FaceOfCell> faces = facesAtWall(near);
   std::vector<double> ratios(wall.layered.size());
   std::vector<std::uint32_t> nodes;

@@ -11,6 +11,6 @@ namespace cartesian
 
 // Of each face of the wall; 0: it has no stack, or one that tapers. `volumes`: of the near cells, with layers.
 std::vector<double> lastByCells(const LayeredWall& wall, const LayerHeights& heights,
-  const NearCells& near, const std::vector<double>& volumes);
+  const NearCells& near, const std::vector<double>& volumes, Execution& execution);
 
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/LayerFaults.h"
 
+#include "Base/ForEachItem.h"
 #include "Quality/CellMeasures.h"
 #include "Quality/CorrectionGain.h"
 #include "Quality/FaceCorners.h"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 
 namespace cartesian
 {
@@ -16,6 +19,41 @@ namespace
 constexpr std::uint32_t OfCells = 1U << Volume | 1U << Openness;
 constexpr std::uint32_t OfFaces = 1U << BoundaryAngle | 1U << NonOrthogonality | 1U << Skewness;
 constexpr int PointsOfAFace = 3; // at least
+
+template <class Visitor>
+void forEachCorner(const CellFaces& cells, std::size_t cell, Visitor&& visit)
+{
+  const std::size_t end = cells.firstCorner[cells.firstFace[cell + 1]];
+  for (std::size_t i = cells.firstCorner[cells.firstFace[cell]]; i < end; ++i)
+  {
+    visit(cells.corners[i]);
+  }
+}
+
+void addCell(const CellFaces& from, std::size_t cell, CellFaces& to)
+{
+  for (std::size_t f = from.firstFace[cell]; f < from.firstFace[cell + 1]; ++f)
+  {
+    to.corners.insert(to.corners.end(),
+      from.corners.begin() + static_cast<std::ptrdiff_t>(from.firstCorner[f]),
+      from.corners.begin() + static_cast<std::ptrdiff_t>(from.firstCorner[f + 1]));
+    to.firstCorner.push_back(to.corners.size());
+  }
+  to.firstFace.push_back(to.faceCount());
+}
+
+void addCells(const CellFaces& from, CellFaces& to)
+{
+  const std::size_t corners = to.corners.size();
+  const std::size_t faces = to.faceCount();
+  const auto add = [](auto& starts, const auto& more, std::size_t by) {
+    std::transform(more.begin() + 1, more.end(), std::back_inserter(starts),
+      [&](std::size_t start) { return start + by; });
+  };
+  to.corners.insert(to.corners.end(), from.corners.begin(), from.corners.end());
+  add(to.firstCorner, from.firstCorner, corners);
+  add(to.firstFace, from.firstFace, faces);
+}
 
 // Adds a cell: its number of faces, and for each its size and points.
 void addPolyhedron(CellFaces& cells, const Id* stream)
@@ -30,6 +68,18 @@ void addPolyhedron(CellFaces& cells, const Id* stream)
     cells.firstCorner.push_back(cells.corners.size());
   }
   cells.firstFace.push_back(cells.faceCount());
+}
+
+CellFaces cellsOf(const PrismStacks& stacks)
+{
+  CellFaces cells;
+  cells.firstFace.assign(1, 0);
+  cells.firstCorner.assign(1, 0);
+  for (const Id start : stacks.faceStart)
+  {
+    addPolyhedron(cells, &stacks.faceStream[static_cast<std::size_t>(start)]);
+  }
+  return cells;
 }
 
 // What is left of a stack above one node may have hardly any third direction, where a prism has that of the face below it,
@@ -50,7 +100,7 @@ bool isFlat(const CellFaces& cells, std::size_t cell, const std::vector<double>&
 // Cells that have changed, and those that share a face with one: all that measures of the first need.
 struct LayerFaults::Selection
 {
-  CellFaces cells;
+  CellFaces cells{ { 0 }, { 0 }, {} };
   std::vector<std::uint32_t> number; // of each: a near cell, or beyond these one of the stacks
   std::vector<std::uint32_t> face;   // of each face of a near cell among theirs; others None
   std::vector<std::uint8_t> hasChanged;
@@ -90,82 +140,96 @@ LayerFaults::Faults LayerFaults::measure(
   faults.list = listFaces(cells, points.size() / 3, Clashes::AreBoundary, execution);
   const Quality quality =
     measureQuality(points.data(), cells, faults.list, execution, standardLimits(), SlowMeasures);
-  for (std::size_t f = 0; f < faults.list.face.size(); ++f)
-  {
-    faults.face.push_back((quality.faceFailures[f] & OfFaces) != 0 ||
-      !(quality.faces[InnerAngle][f] < LayerLimits::InnerAngle));
-  }
+  faults.face.resize(faults.list.face.size());
+  forEachItem(faults.face.size(), execution, [&](std::size_t f) {
+    faults.face[f] = (quality.faceFailures[f] & OfFaces) != 0 ||
+      !(quality.faces[InnerAngle][f] < LayerLimits::InnerAngle);
+  });
   faults.weight.assign(quality.faces[FaceWeight].begin(),
     quality.faces[FaceWeight].begin() + static_cast<std::ptrdiff_t>(faults.list.neighbour.size()));
   faults.volume.assign(quality.cells[Volume].begin(), quality.cells[Volume].end());
   const std::vector<double> gains = correctionGains(faults.list, quality);
-  for (std::size_t c = 0; c < gains.size(); ++c)
+  for (std::vector<std::uint8_t>* const ofCells : { &faults.cell, &faults.isOdd, &faults.isLong })
   {
-    const std::uint32_t failures = quality.cellFailures[c];
-    faults.cell.push_back((failures & OfCells) != 0);
-    faults.isOdd.push_back(!(gains[c] < LayerLimits::CorrectionGain));
-    faults.isLong.push_back((failures & 1U << AspectRatio) != 0);
+    ofCells->resize(gains.size());
   }
+  forEachItem(gains.size(), execution, [&](std::size_t c) {
+    const std::uint32_t failures = quality.cellFailures[c];
+    faults.cell[c] = (failures & OfCells) != 0;
+    faults.isOdd[c] = !(gains[c] < LayerLimits::CorrectionGain);
+    faults.isLong[c] = (failures & 1U << AspectRatio) != 0;
+  });
   return faults;
 }
 
-LayerFaults::Selection LayerFaults::select(
-  const PrismStacks& stacks, const std::vector<std::uint8_t>& hasMoved) const
+LayerFaults::Changes LayerFaults::changesBy(const std::vector<std::uint8_t>& hasMoved) const
 {
-  const CellFaces& near = near_.cells;
-  const auto nearCount = static_cast<std::uint32_t>(near.cellCount());
-  const auto count = nearCount + static_cast<std::uint32_t>(stacks.cells());
-  CellFaces ofStacks;
-  ofStacks.firstFace.assign(1, 0);
-  ofStacks.firstCorner.assign(1, 0);
-  for (const Id start : stacks.faceStart)
+  Changes changes{ std::vector<std::uint8_t>(near_.cells.cellCount()),
+    std::vector<std::uint8_t>(hasMoved.size()), {} };
+  for (std::size_t c = 0; c < changes.cells.size(); ++c)
   {
-    addPolyhedron(ofStacks, &stacks.faceStream[static_cast<std::size_t>(start)]);
-  }
-  const auto forEachCorner = [&](std::uint32_t c, auto&& visit) {
-    const CellFaces& cells = c < nearCount ? near : ofStacks;
-    const std::size_t cell = c < nearCount ? c : c - nearCount;
-    const std::size_t end = cells.firstCorner[cells.firstFace[cell + 1]];
-    for (std::size_t i = cells.firstCorner[cells.firstFace[cell]]; i < end; ++i)
+    forEachCorner(near_.cells, c, [&](std::uint32_t p) { changes.cells[c] |= hasMoved[p]; });
+    if (changes.cells[c])
     {
-      visit(cells.corners[i]);
+      forEachCorner(near_.cells, c, [&](std::uint32_t p) { changes.isTouched[p] = 1; });
     }
-  };
-  std::vector<std::uint8_t> hasChanged(count);
-  std::vector<std::uint8_t> isTouched(hasMoved.size());
-  for (std::uint32_t c = 0; c < count; ++c)
+  }
+  return changes;
+}
+
+LayerFaults::Selection LayerFaults::selectAll(const CellFaces& ofStacks) const
+{
+  Selection selected;
+  selected.cells = near_.cells;
+  addCells(ofStacks, selected.cells);
+  selected.number.resize(selected.cells.cellCount());
+  std::iota(selected.number.begin(), selected.number.end(), 0U);
+  selected.face.resize(near_.cells.faceCount());
+  std::iota(selected.face.begin(), selected.face.end(), 0U);
+  selected.face.resize(selected.cells.faceCount(), std::uint32_t(None));
+  selected.hasChanged.assign(selected.number.size(), 1);
+  return selected;
+}
+
+LayerFaults::Selection LayerFaults::select(const CellFaces& ofStacks, const Changes& changes) const
+{
+  std::vector<std::uint8_t> isTouched = changes.isTouched;
+  isTouched.resize(changes.isTouched.size() + changes.ofStacks.size());
+  const std::size_t ofMesh = changes.isTouched.size();
+  std::vector<std::uint8_t> stackChanged(ofStacks.cellCount());
+  for (std::size_t c = 0; c < stackChanged.size(); ++c)
   {
-    forEachCorner(c, [&](std::uint32_t p) { hasChanged[c] = hasChanged[c] || hasMoved[p]; });
-    if (hasChanged[c])
+    forEachCorner(ofStacks, c, [&](std::uint32_t p) {
+      stackChanged[c] = stackChanged[c] || (p >= ofMesh && changes.ofStacks[p - ofMesh]);
+    });
+    if (stackChanged[c])
     {
-      forEachCorner(c, [&](std::uint32_t p) { isTouched[p] = 1; });
+      forEachCorner(ofStacks, c, [&](std::uint32_t p) { isTouched[p] = 1; });
     }
   }
   Selection selected;
-  selected.cells.firstFace.assign(1, 0);
-  selected.cells.firstCorner.assign(1, 0);
-  for (std::uint32_t c = 0; c < count; ++c)
-  {
-    int touched = 0; // as often as faces have them
-    forEachCorner(c, [&](std::uint32_t p) { touched += isTouched[p]; });
-    if (touched < PointsOfAFace)
+  const auto add = [&](const CellFaces& cells, const std::vector<std::uint8_t>& hasChanged,
+                     bool isOfMesh) {
+    for (std::size_t c = 0; c < cells.cellCount(); ++c)
     {
-      continue;
+      int touched = 0; // as often as faces have them
+      forEachCorner(cells, c, [&](std::uint32_t p) { touched += isTouched[p]; });
+      if (touched < PointsOfAFace)
+      {
+        continue;
+      }
+      selected.number.push_back(
+        static_cast<std::uint32_t>(isOfMesh ? c : c + near_.cells.cellCount()));
+      selected.hasChanged.push_back(hasChanged[c]);
+      for (std::size_t f = cells.firstFace[c]; f < cells.firstFace[c + 1]; ++f)
+      {
+        selected.face.push_back(isOfMesh ? static_cast<std::uint32_t>(f) : std::uint32_t(None));
+      }
+      addCell(cells, c, selected.cells);
     }
-    selected.number.push_back(c);
-    selected.hasChanged.push_back(hasChanged[c]);
-    const CellFaces& cells = c < nearCount ? near : ofStacks;
-    const std::size_t cell = c < nearCount ? c : c - nearCount;
-    for (std::size_t f = cells.firstFace[cell]; f < cells.firstFace[cell + 1]; ++f)
-    {
-      selected.face.push_back(c < nearCount ? static_cast<std::uint32_t>(f) : std::uint32_t(None));
-      selected.cells.corners.insert(selected.cells.corners.end(),
-        cells.corners.begin() + static_cast<std::ptrdiff_t>(cells.firstCorner[f]),
-        cells.corners.begin() + static_cast<std::ptrdiff_t>(cells.firstCorner[f + 1]));
-      selected.cells.firstCorner.push_back(selected.cells.corners.size());
-    }
-    selected.cells.firstFace.push_back(selected.cells.faceCount());
-  }
+  };
+  add(near_.cells, changes.cells, true);
+  add(ofStacks, stackChanged, false);
   return selected;
 }
 
@@ -225,12 +289,27 @@ std::optional<LayerFault> LayerFaults::ofSlice(
   return fault;
 }
 
-std::vector<LayerFault> LayerFaults::find(const PrismStacks& stacks,
-  const std::vector<double>& points, const std::vector<std::uint8_t>& hasMoved,
-  Execution& execution) const
+std::vector<LayerFault> LayerFaults::find(
+  const PrismStacks& stacks, const std::vector<double>& points, Execution& execution) const
 {
-  const Selection selected = select(stacks, hasMoved);
+  return findIn(selectAll(cellsOf(stacks)), stacks, points, execution);
+}
+
+std::vector<LayerFault> LayerFaults::find(const PrismStacks& stacks,
+  const std::vector<double>& points, const Changes& changes, Execution& execution) const
+{
+  return findIn(select(cellsOf(stacks), changes), stacks, points, execution);
+}
+
+std::vector<LayerFault> LayerFaults::findIn(const Selection& selected, const PrismStacks& stacks,
+  const std::vector<double>& points, Execution& execution) const
+{
   const Faults faults = measure(selected.cells, points, execution);
+  std::vector<std::uint8_t> hasNoThird(selected.number.size()); // of cells of stacks
+  forEachItem(hasNoThird.size(), execution, [&](std::size_t c) {
+    hasNoThird[c] = selected.number[c] >= near_.cells.cellCount() && selected.hasChanged[c] &&
+      isFlat(selected.cells, c, points);
+  });
   std::vector<LayerFault> found;
   for (std::size_t f = 0; f < faults.weight.size(); ++f)
   {
@@ -253,14 +332,12 @@ std::vector<LayerFault> LayerFaults::find(const PrismStacks& stacks,
     const bool isNew = faults.cell[c] && !(isOfMesh && cellWasAtFault_[number]);
     const bool isOdd = (faults.isOdd[c] && !(isOfMesh && cellWasOdd_[number])) ||
       (isOfMesh && faults.isLong[c] && !cellWasLong_[number]);
-    const bool hasNoThird =
-      !isOfMesh && selected.hasChanged[c] && isFlat(selected.cells, c, points);
-    if (selected.hasChanged[c] && (isNew || isOdd || hasNoThird))
+    if (selected.hasChanged[c] && (isNew || isOdd || hasNoThird[c]))
     {
       LayerFault fault;
       selected.addPointsOfCell(c, fault.points);
       fault.around = isOfMesh ? fault.points : fault.around;
-      fault.mendsThinner = isNew && !hasNoThird;
+      fault.mendsThinner = isNew && !hasNoThird[c];
       found.push_back(std::move(fault));
     }
   }

@@ -24,9 +24,24 @@ public:
   // Borrows the cells. `points`: of the mesh without layers.
   LayerFaults(const NearCells& near, const std::vector<double>& points, Execution& execution);
 
-  // Of cells with a point that `hasMoved`. `points`: of the mesh, then those of the stacks.
+  struct Changes
+  {
+    std::vector<std::uint8_t> cells; // of the near ones
+    std::vector<std::uint8_t>
+      isTouched; // of each of the mesh's points: a near cell there has changed
+    std::vector<std::uint8_t> ofStacks; // of each point of the stacks: cells there have
+  };
+
+  // Of the mesh. `hasMoved`: of each of its points.
+  Changes changesBy(const std::vector<std::uint8_t>& hasMoved) const;
+
+  // Of all cells. `points`: of the mesh, then those of the stacks.
+  std::vector<LayerFault> find(
+    const PrismStacks& stacks, const std::vector<double>& points, Execution& execution) const;
+
+  // Of cells that have changed. `stacks`: at least these and those with a face in common with what has changed.
   std::vector<LayerFault> find(const PrismStacks& stacks, const std::vector<double>& points,
-    const std::vector<std::uint8_t>& hasMoved, Execution& execution) const;
+    const Changes& changes, Execution& execution) const;
 
 private:
   // The results of measureQuality for some cells.
@@ -45,7 +60,10 @@ private:
 
   static Faults measure(
     const CellFaces& cells, const std::vector<double>& points, Execution& execution);
-  Selection select(const PrismStacks& stacks, const std::vector<std::uint8_t>& hasMoved) const;
+  Selection select(const CellFaces& ofStacks, const Changes& changes) const;
+  Selection selectAll(const CellFaces& ofStacks) const;
+  std::vector<LayerFault> findIn(const Selection& selected, const PrismStacks& stacks,
+    const std::vector<double>& points, Execution& execution) const;
   bool isNewFace(const Selection& selected, const Faults& faults, std::size_t f) const;
   std::optional<LayerFault> ofSlice(const Selection& selected, const Faults& faults, std::size_t f,
     const PrismStacks& stacks) const;

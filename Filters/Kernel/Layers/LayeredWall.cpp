@@ -18,7 +18,6 @@ namespace
 constexpr double PartOfTheWay = 1.0 / 3; // to what lies opposite
 constexpr double SinOfOnePlane = 0.1;    // normals that differ by less count as equal
 constexpr double SinOfSharpEdge = 0.7;   // ... about the way of a node
-constexpr double FlatByBox = 0.03;       // height of a first layer
 constexpr std::size_t NodesAChunk = 256;
 
 class WallFinder
@@ -72,7 +71,7 @@ private:
         const std::size_t n = wall_.node(f, i);
         wall_.isOnWall[n] = 1;
         wall_.usual[n] = std::max(wall_.usual[n], usual);
-        wall_.isFlat[n] = wall_.isFlat[n] && first * wall_.asked[f] < FlatByBox * sides[f];
+        wall_.isFlat[n] = wall_.isFlat[n] && isFlat(first * wall_.asked[f], sides[f]);
       }
     }
   }

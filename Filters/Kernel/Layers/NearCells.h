@@ -20,9 +20,11 @@ struct NearCells
     mayMove; // ... 1: all cells at the point are near, and it is not on the wall
 };
 
-std::vector<double> volumesOf(const CellFaces& cells, const std::vector<double>& points);
+std::vector<double> volumesOf(
+  const CellFaces& cells, const std::vector<double>& points, Execution& execution);
 
 // Those that `rings` cells or fewer separate from the wall, and one more ring, whose outer points do not move.
-NearCells findNearCells(const OutputMesh& mesh, const LayeredWall& wall, int rings);
+NearCells findNearCells(
+  const OutputMesh& mesh, const LayeredWall& wall, int rings, Execution& execution);
 
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/NodeMotion.h"
 
+#include "Base/ForEachItem.h"
+#include "Layers/EdgeGraph.h"
+
 #include <algorithm>
 
 namespace cartesian
@@ -15,72 +18,76 @@ constexpr double FadeLength = 5;
 // The weights of edges shorter than this part of the mean one are not larger.
 constexpr double ShortestEdge = 1e-3;
 
-struct Edge
+// Of each edge of a graph, lengthOf(from, to), but none below ShortestEdge.
+template <class LengthOf>
+std::vector<double> lengthsOf(
+  const EdgeGraph& graph, const LengthOf& lengthOf, Execution& execution)
 {
-  std::uint32_t from;
-  std::uint32_t to;
-  double length;
-
-  bool operator<(const Edge& other) const
+  std::vector<double> lengths(graph.edges());
+  std::vector<double> sums(chunks(graph.nodes(), ItemsOfALoop));
+  forEachItem(graph.nodes(), execution, [&](std::size_t n) {
+    for (std::size_t e = graph.first(n); e < graph.end(n); ++e)
+    {
+      lengths[e] = lengthOf(n, graph.to(e));
+      sums[n / ItemsOfALoop] += lengths[e];
+    }
+  });
+  const double mean = std::accumulate(sums.begin(), sums.end(), 0.0) /
+    std::max(1.0, static_cast<double>(lengths.size()));
+  for (double& length : lengths)
   {
-    return from != other.from ? from < other.from : to < other.to;
+    length = std::max(length, ShortestEdge * mean);
   }
-  bool operator==(const Edge& other) const { return from == other.from && to == other.to; }
-};
-
-// Each once, with no length below ShortestEdge.
-void tidy(std::vector<Edge>& edges)
-{
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  double mean = 0;
-  for (const Edge& edge : edges)
-  {
-    mean += edge.length / static_cast<double>(edges.size());
-  }
-  for (Edge& edge : edges)
-  {
-    edge.length = std::max(edge.length, ShortestEdge * mean);
-  }
+  return lengths;
 }
 
 }
 
 void spreadWays(LayeredWall& wall, Execution& execution)
 {
-  std::vector<Edge> edges;
-  for (std::size_t f = 0; f < wall.layered.size(); ++f)
-  {
-    for (std::size_t i = 0; wall.layered[f] && i < wall.corners(f); ++i)
-    {
-      const std::size_t a = wall.node(f, i);
-      const std::size_t b = wall.node(f, i + 1);
-      const double length = norm(minus(wall.place[b], wall.place[a]));
-      edges.push_back({ static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), length });
-      edges.push_back({ static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(a), length });
-    }
-  }
-  tidy(edges);
+  const EdgeGraph graph(
+    wall.nodes(),
+    [&](auto&& visit) {
+      for (std::size_t f = 0; f < wall.layered.size(); ++f)
+      {
+        for (std::size_t i = 0; wall.layered[f] && i < wall.corners(f); ++i)
+        {
+          const std::size_t a = wall.node(f, i);
+          const std::size_t b = wall.node(f, i + 1);
+          visit(a, static_cast<std::uint32_t>(b));
+          visit(b, static_cast<std::uint32_t>(a));
+        }
+      }
+    },
+    execution);
+  const std::vector<double> lengths = lengthsOf(
+    graph, [&](std::size_t a, std::size_t b) { return norm(minus(wall.place[b], wall.place[a])); },
+    execution);
   std::vector<HarmonicField::Link> links;
+  links.reserve(graph.edges());
   std::vector<double> damping(wall.nodes());
-  for (const Edge& edge : edges)
+  for (std::size_t n = 0; n < wall.nodes(); ++n)
   {
-    links.push_back({ edge.from, edge.to, 1 / edge.length });
-    const double thickness = wall.usual[edge.from];
-    damping[edge.from] += edge.length / (2 * FadeLength * FadeLength * thickness * thickness);
+    for (std::size_t e = graph.first(n); e < graph.end(n); ++e)
+    {
+      links.push_back({ graph.to(e), 1 / lengths[e] });
+      const double thickness = wall.usual[n];
+      damping[n] += lengths[e] / (2 * FadeLength * FadeLength * thickness * thickness);
+    }
   }
   std::vector<const std::vector<Vector>*> fixed;
   for (const std::vector<Vector>& normals : wall.across)
   {
     fixed.push_back(&normals);
   }
-  HarmonicField field(wall.way, std::move(links), std::move(damping), std::move(fixed));
+  HarmonicField field(
+    wall.way, graph.firsts(), std::move(links), std::move(damping), std::move(fixed));
   field.solve(execution);
   wall.way = std::move(field.values());
 }
 
-NodeMotion::NodeMotion(
-  const NearCells& near, const LayeredWall& wall, const std::vector<double>& points)
+NodeMotion::NodeMotion(const NearCells& near, const LayeredWall& wall,
+  const std::vector<double>& points, Execution& execution)
   : wall_(wall)
 {
   for (std::uint32_t p = 0; p < near.mayMove.size(); ++p)
@@ -90,70 +97,81 @@ NodeMotion::NodeMotion(
       moving_.push_back(p);
     }
   }
-  makeField(near, points);
+  makeField(near, points, execution);
 }
 
-void NodeMotion::makeField(const NearCells& near, const std::vector<double>& points)
+// Of each of the mesh's points in the field; None: it stays where it is.
+std::vector<std::uint32_t> NodeMotion::numbersInField(std::size_t points) const
 {
+  std::vector<std::uint32_t> numbers(points, None);
   const auto count = static_cast<std::uint32_t>(moving_.size());
-  std::vector<std::uint32_t> indexOf(near.mayMove.size(), None); // in the field
+  for (std::uint32_t n = 0; n < wall_.nodes(); ++n)
+  {
+    if (wall_.isOnWall[n])
+    {
+      numbers[static_cast<std::size_t>(wall_.of.mesh.meshPoint[n])] = count + n;
+    }
+  }
   for (std::uint32_t i = 0; i < count; ++i)
   {
-    indexOf[moving_[i]] = i;
+    numbers[moving_[i]] = i;
+  }
+  return numbers;
+}
+
+void NodeMotion::makeField(
+  const NearCells& near, const std::vector<double>& points, Execution& execution)
+{
+  const std::size_t count = moving_.size();
+  const std::vector<std::uint32_t> numbers = numbersInField(near.mayMove.size());
+  const CellFaces& cells = near.cells;
+  // Either face of a cell at an edge has it the other way round.
+  const EdgeGraph graph(
+    count,
+    [&](auto&& visit) {
+      for (std::size_t f = 0; f < cells.faceCount(); ++f)
+      {
+        std::uint32_t from = cells.corners[cells.firstCorner[f + 1] - 1];
+        for (std::size_t i = cells.firstCorner[f]; i < cells.firstCorner[f + 1]; ++i)
+        {
+          near.mayMove[from] ? visit(numbers[from], cells.corners[i]) : void();
+          from = cells.corners[i];
+        }
+      }
+    },
+    execution);
+  const std::vector<double> lengths = lengthsOf(
+    graph,
+    [&](std::size_t i, std::size_t q) {
+      const double* const a = &points[3 * std::size_t(moving_[i])];
+      const double* const b = &points[3 * q];
+      return norm(Vector{ b[0] - a[0], b[1] - a[1], b[2] - a[2] });
+    },
+    execution);
+  std::vector<HarmonicField::Link> links;
+  links.reserve(graph.edges());
+  std::vector<std::size_t> firstLink{ 0 };
+  std::vector<double> damping(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    for (std::size_t e = graph.first(i); e < graph.end(i); ++e)
+    {
+      const std::uint32_t to = numbers[graph.to(e)];
+      to == None ? void(damping[i] += 1 / lengths[e]) : links.push_back({ to, 1 / lengths[e] });
+    }
+    firstLink.push_back(links.size());
   }
   std::vector<const std::vector<Vector>*> fixed(count, nullptr);
-  for (std::uint32_t n = 0; n < wall_.nodes(); ++n)
+  for (std::size_t n = 0; n < wall_.nodes(); ++n)
   {
     const auto point = static_cast<std::size_t>(wall_.of.mesh.meshPoint[n]);
     if (near.mayMove[point])
     {
-      fixed[indexOf[point]] = &wall_.fixed[n];
-    }
-    else if (wall_.isOnWall[n])
-    {
-      indexOf[point] = count + n;
+      fixed[numbers[point]] = &wall_.fixed[n];
     }
   }
-  std::vector<Edge> edges;
-  const auto add = [&](std::uint32_t p, std::uint32_t q) {
-    const double* const a = &points[3 * std::size_t(p)];
-    const double* const b = &points[3 * std::size_t(q)];
-    const double length = norm(Vector{ b[0] - a[0], b[1] - a[1], b[2] - a[2] });
-    if (near.mayMove[p])
-    {
-      edges.push_back({ indexOf[p], indexOf[q], length });
-    }
-    if (near.mayMove[q])
-    {
-      edges.push_back({ indexOf[q], indexOf[p], length });
-    }
-  };
-  const CellFaces& cells = near.cells;
-  for (std::size_t f = 0; f < cells.faceCount(); ++f)
-  {
-    std::uint32_t from = cells.corners[cells.firstCorner[f + 1] - 1];
-    for (std::size_t i = cells.firstCorner[f]; i < cells.firstCorner[f + 1]; ++i)
-    {
-      add(from, cells.corners[i]);
-      from = cells.corners[i];
-    }
-  }
-  tidy(edges);
-  std::vector<HarmonicField::Link> links;
-  std::vector<double> damping(count);
-  for (const Edge& edge : edges)
-  {
-    if (edge.to == None)
-    {
-      damping[edge.from] += 1 / edge.length;
-    }
-    else
-    {
-      links.push_back({ edge.from, edge.to, 1 / edge.length });
-    }
-  }
-  field_ = HarmonicField(std::vector<Vector>(count + wall_.nodes()), std::move(links),
-    std::move(damping), std::move(fixed));
+  field_ = HarmonicField(std::vector<Vector>(count + wall_.nodes()), std::move(firstLink),
+    std::move(links), std::move(damping), std::move(fixed));
 }
 
 bool NodeMotion::hold(std::uint32_t point)

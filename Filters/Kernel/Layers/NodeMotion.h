@@ -20,7 +20,8 @@ class NodeMotion
 {
 public:
   // Borrows the wall.
-  NodeMotion(const NearCells& near, const LayeredWall& wall, const std::vector<double>& points);
+  NodeMotion(const NearCells& near, const LayeredWall& wall, const std::vector<double>& points,
+    Execution& execution);
 
   // From now on a point of the mesh stays where it was. Whether it would have moved.
   bool hold(std::uint32_t point);
@@ -35,7 +36,8 @@ public:
   const Vector& way(std::size_t i) const { return field_.values()[i]; } // of each
 
 private:
-  void makeField(const NearCells& near, const std::vector<double>& points);
+  std::vector<std::uint32_t> numbersInField(std::size_t points) const;
+  void makeField(const NearCells& near, const std::vector<double>& points, Execution& execution);
 
   const LayeredWall& wall_;
   std::vector<std::uint32_t> moving_;

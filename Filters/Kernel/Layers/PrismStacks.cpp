@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace cartesian
 {
@@ -92,12 +93,12 @@ void listSide(const LayeredWall& wall, const Columns& columns, const Edges& edge
   }
 }
 
-// Calls visit(i, points) for all sides of the k-th cell of a face's stack, each over edges from corner i on.
+// Calls visit(i) for all sides of the k-th cell of a face's stack, each over edges from corner i on; `points` has those of
+// the side.
 template <class Visitor>
 void forEachSide(const LayeredWall& wall, const StackCells& cells, const Columns& columns,
-  const StackSides& sides, std::size_t f, std::size_t k, Visitor&& visit)
+  const StackSides& sides, std::size_t f, std::size_t k, std::vector<Id>& points, Visitor&& visit)
 {
-  std::vector<Id> points;
   for (std::size_t j = cells.begin(f, k); j < cells.end(f, k); ++j)
   {
     sides.forEach(f, j, [&](std::size_t i, std::size_t n) {
@@ -108,62 +109,77 @@ void forEachSide(const LayeredWall& wall, const StackCells& cells, const Columns
       listSide(wall, columns, { f, i, n }, j, cells.endOfSide(f, i, j), points);
       if (!points.empty())
       {
-        visit(i, points);
+        visit(i);
       }
     });
   }
 }
 
+constexpr std::size_t FacesAChunk = 256;
+
 class Stacker
 {
 public:
-  Stacker(const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights)
+  Stacker(const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights,
+    const std::vector<std::uint8_t>& isWanted, Execution& execution)
     : wall_(wall)
     , heights_(heights)
-    , cells_(wall, heights)
+    , isWanted_(isWanted)
+    , cells_(wall, heights, execution)
     , columns_(mesh, wall, cells_)
-    , sides_(wall, heights, cells_)
+    , sides_(wall, heights, cells_, execution)
   {
   }
 
-  PrismStacks run()
+  PrismStacks run(Execution& execution) const
   {
-    placePoints();
-    for (std::size_t f = 0; f < wall_.layered.size(); ++f)
-    {
-      for (std::size_t k = 0; k < cells_.cells(f); ++k)
+    const std::size_t faces = wall_.layered.size();
+    std::vector<PrismStacks> parts(chunks(faces, FacesAChunk));
+    execution.forEach(faces, FacesAChunk, [&](std::size_t begin, std::size_t end) {
+      PrismStacks& part = parts[begin / FacesAChunk];
+      std::vector<Id> points;
+      for (std::size_t f = begin; f < end; ++f)
       {
-        addCell(f, k);
+        for (std::size_t k = 0; isWanted(f) && k < cells_.cells(f); ++k)
+        {
+          addCell(f, k, points, part);
+        }
       }
+      part.offsets.push_back(static_cast<Id>(part.connectivity.size()));
+    });
+    PrismStacks result;
+    placePoints(result);
+    result.offsets.push_back(0);
+    for (PrismStacks& part : parts)
+    {
+      appendCells(result, part);
+      part = {};
     }
-    result_.offsets.push_back(static_cast<Id>(result_.connectivity.size()));
-    return std::move(result_);
+    return result;
   }
 
 private:
-  void placePoints()
+  bool isWanted(std::size_t f) const { return isWanted_.empty() || isWanted_[f] != 0; }
+
+  void placePoints(PrismStacks& result) const
   {
     for (std::size_t n = 0; n < wall_.nodes(); ++n)
     {
-      if (wall_.parts[n] == 0)
-      {
-        continue;
-      }
-      result_.moved.push_back({ wall_.of.mesh.meshPoint[n], wall_.at(n, wall_.parts[n]) });
       for (std::size_t k = cells_.layersAt(n); k-- > 0;)
       {
         const Vector at = wall_.at(n, heights_.at(wall_.parts[n], k, wall_.isFlat[n]));
-        result_.points.insert(result_.points.end(), at.begin(), at.end());
-        result_.nodeOfPoint.push_back(n);
+        result.points.insert(result.points.end(), at.begin(), at.end());
+        result.nodeOfPoint.push_back(n);
       }
     }
   }
 
-  void addCell(std::size_t f, std::size_t k)
+  // `points`: scratch.
+  void addCell(std::size_t f, std::size_t k, std::vector<Id>& points, PrismStacks& part) const
   {
-    std::vector<Id>& stream = result_.faceStream;
-    result_.offsets.push_back(static_cast<Id>(result_.connectivity.size()));
-    result_.faceStart.push_back(static_cast<Id>(stream.size()));
+    std::vector<Id>& stream = part.faceStream;
+    part.offsets.push_back(static_cast<Id>(part.connectivity.size()));
+    part.faceStart.push_back(static_cast<Id>(stream.size()));
     const std::size_t count = stream.size();
     const std::size_t begin = cells_.begin(f, k);
     const std::size_t end = cells_.end(f, k);
@@ -173,7 +189,7 @@ private:
     for (std::size_t i = 0; i < corners; ++i)
     {
       stream.push_back(columns_.above(wall_.node(f, corners - 1 - i), begin));
-      result_.connectivity.push_back(stream.back());
+      part.connectivity.push_back(stream.back());
     }
     stream.push_back(static_cast<Id>(corners));
     for (std::size_t i = 0; i < corners; ++i)
@@ -183,42 +199,41 @@ private:
       for (std::size_t j = begin + 1; j <= end; ++j)
       {
         const Id point = columns_.above(n, j);
-        point != columns_.above(n, j - 1) ? result_.connectivity.push_back(point) : void();
+        point != columns_.above(n, j - 1) ? part.connectivity.push_back(point) : void();
       }
     }
-    forEachSide(
-      wall_, cells_, columns_, sides_, f, k, [&](std::size_t /*i*/, const std::vector<Id>& points) {
-        ++stream[count];
-        stream.push_back(static_cast<Id>(points.size()));
-        stream.insert(stream.end(), points.begin(), points.end());
-      });
-    result_.layer.push_back(static_cast<unsigned char>(cells_.layers() + 1 - end));
-    result_.face.push_back(f);
-    result_.tapers.push_back(wall_.tapers(f));
-    result_.isFilm.push_back(
+    forEachSide(wall_, cells_, columns_, sides_, f, k, points, [&](std::size_t) {
+      ++stream[count];
+      stream.push_back(static_cast<Id>(points.size()));
+      stream.insert(stream.end(), points.begin(), points.end());
+    });
+    part.layer.push_back(static_cast<unsigned char>(cells_.layers() + 1 - end));
+    part.face.push_back(f);
+    part.tapers.push_back(wall_.tapers(f));
+    part.isFilm.push_back(
       wall_.isFlatFace(f) && wall_.asked[f] < FilmByWidth * std::sqrt(wall_.area(f)));
-    result_.below.push_back(wall_.of.faces[f].cell);
+    part.below.push_back(wall_.of.faces[f].cell);
   }
 
   const LayeredWall& wall_;
   const LayerHeights& heights_;
+  const std::vector<std::uint8_t>& isWanted_;
   const StackCells cells_;
   const Columns columns_;
   const StackSides sides_;
-  PrismStacks result_;
 };
 
 class BoundaryLister
 {
 public:
   BoundaryLister(const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights,
-    const std::vector<double>& lastByCell)
+    const std::vector<double>& lastByCell, Execution& execution)
     : mesh_(mesh)
     , wall_(wall)
     , heights_(heights)
-    , cells_(wall, heights)
+    , cells_(wall, heights, execution)
     , columns_(mesh, wall, cells_)
-    , sides_(wall, heights, cells_)
+    , sides_(wall, heights, cells_, execution)
     , lastByCell_(lastByCell)
   {
   }
@@ -318,15 +333,14 @@ private:
       add({ cell, base.index, base.boundary, BoundaryFace::Kind::Cut },
         pointsOf(f, cells_.layers()), measureOf(f));
     }
-    forEachSide(
-      wall_, cells_, columns_, sides_, f, k, [&](std::size_t i, const std::vector<Id>& points) {
-        const std::size_t other = wall_.faceBeyond(f, i);
-        if (!wall_.layered[other])
-        {
-          const BoundaryFace& there = wall_.of.faces[other];
-          add({ cell, there.index, there.boundary, BoundaryFace::Kind::Cut }, points, {});
-        }
-      });
+    forEachSide(wall_, cells_, columns_, sides_, f, k, points_, [&](std::size_t i) {
+      const std::size_t other = wall_.faceBeyond(f, i);
+      if (!wall_.layered[other])
+      {
+        const BoundaryFace& there = wall_.of.faces[other];
+        add({ cell, there.index, there.boundary, BoundaryFace::Kind::Cut }, points_, {});
+      }
+    });
   }
 
   const OutputMesh& mesh_;
@@ -336,6 +350,7 @@ private:
   const Columns columns_;
   const StackSides sides_;
   const std::vector<double>& lastByCell_;
+  std::vector<Id> points_; // scratch
   LayeredBoundary result_;
 };
 
@@ -354,16 +369,39 @@ void numberPoints(BoundaryMesh& mesh)
   }
 }
 
-PrismStacks stackPrisms(
-  const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights)
+void appendCells(PrismStacks& stacks, const PrismStacks& more)
 {
-  return Stacker(mesh, wall, heights).run();
+  const Id corners = static_cast<Id>(stacks.connectivity.size());
+  const Id stream = static_cast<Id>(stacks.faceStream.size());
+  stacks.offsets.pop_back(); // the end
+  const auto add = [](auto& to, const auto& from, Id by) {
+    std::transform(
+      from.begin(), from.end(), std::back_inserter(to), [&](Id value) { return value + by; });
+  };
+  add(stacks.offsets, more.offsets, corners);
+  add(stacks.faceStart, more.faceStart, stream);
+  const auto append = [](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  append(stacks.connectivity, more.connectivity);
+  append(stacks.faceStream, more.faceStream);
+  append(stacks.layer, more.layer);
+  append(stacks.face, more.face);
+  append(stacks.tapers, more.tapers);
+  append(stacks.isFilm, more.isFilm);
+  append(stacks.below, more.below);
+}
+
+PrismStacks stackPrisms(const OutputMesh& mesh, const LayeredWall& wall,
+  const LayerHeights& heights, const std::vector<std::uint8_t>& isWanted, Execution& execution)
+{
+  return Stacker(mesh, wall, heights, isWanted, execution).run(execution);
 }
 
 LayeredBoundary boundaryOf(const OutputMesh& mesh, const LayeredWall& wall,
-  const LayerHeights& heights, const std::vector<double>& lastByCell)
+  const LayerHeights& heights, const std::vector<double>& lastByCell, Execution& execution)
 {
-  return BoundaryLister(mesh, wall, heights, lastByCell).run();
+  return BoundaryLister(mesh, wall, heights, lastByCell, execution).run();
 }
 
 }

@@ -75,11 +75,16 @@ struct LayeredBoundary
 // Of faces whose corners are the mesh's points so far.
 void numberPoints(BoundaryMesh& mesh);
 
-PrismStacks stackPrisms(
-  const OutputMesh& mesh, const LayeredWall& wall, const LayerHeights& heights);
+// Adds the cells of `more` behind those of `stacks`; their points have the same numbers.
+void appendCells(PrismStacks& stacks, const PrismStacks& more);
+
+// With all points, and the cells of all stacks, or only of those on some faces of the wall. Nothing of the mesh is moved.
+// `isWanted`: of each face; empty: all.
+PrismStacks stackPrisms(const OutputMesh& mesh, const LayeredWall& wall,
+  const LayerHeights& heights, const std::vector<std::uint8_t>& isWanted, Execution& execution);
 
 // `lastByCell`: StackMeasure::lastByCell of each face of the wall.
 LayeredBoundary boundaryOf(const OutputMesh& mesh, const LayeredWall& wall,
-  const LayerHeights& heights, const std::vector<double>& lastByCell);
+  const LayerHeights& heights, const std::vector<double>& lastByCell, Execution& execution);
 
 }

@@ -93,31 +93,12 @@ void append(const OutputMesh& mesh, PrismStacks& stacks, const PrismStacks& more
   PrismStacks next = more;
   forEachPoint(next.faceStream, shiftPoint);
   std::for_each(next.connectivity.begin(), next.connectivity.end(), shiftPoint);
-  const Id corners = static_cast<Id>(stacks.connectivity.size());
-  const Id stream = static_cast<Id>(stacks.faceStream.size());
-  for (Id& offset : next.offsets)
-  {
-    offset += corners;
-  }
-  for (Id& start : next.faceStart)
-  {
-    start += stream;
-  }
-  stacks.offsets.pop_back(); // the end
   const auto add = [](
                      auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
   add(stacks.moved, next.moved);
   add(stacks.points, next.points);
   add(stacks.nodeOfPoint, next.nodeOfPoint);
-  add(stacks.offsets, next.offsets);
-  add(stacks.connectivity, next.connectivity);
-  add(stacks.faceStart, next.faceStart);
-  add(stacks.faceStream, next.faceStream);
-  add(stacks.layer, next.layer);
-  add(stacks.face, next.face);
-  add(stacks.tapers, next.tapers);
-  add(stacks.isFilm, next.isFilm);
-  add(stacks.below, next.below);
+  appendCells(stacks, next);
 }
 
 void append(const OutputMesh& mesh, const PrismStacks& before, LayeredBoundary& boundary,

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/StackCells.h"
 
+#include "Base/ForEachItem.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace cartesian
 {
 
-StackCells::StackCells(const LayeredWall& wall, const LayerHeights& heights)
+StackCells::StackCells(const LayeredWall& wall, const LayerHeights& heights, Execution& execution)
   : wall_(wall)
   , layers_(heights.layers())
   , counts_(wall.nodes())
@@ -18,20 +20,22 @@ StackCells::StackCells(const LayeredWall& wall, const LayerHeights& heights)
   {
     counts_[n] = static_cast<std::uint8_t>(heights.layersIn(wall.parts[n], wall.isFlat[n]));
   }
-  for (std::size_t f = 0; f < wall.layered.size(); ++f)
+  forEachItem(wall.layered.size(), execution, [&](std::size_t f) { count(f, heights); });
+}
+
+void StackCells::count(std::size_t face, const LayerHeights& heights)
+{
+  std::size_t least = wall_.layered[face] ? layers_ : 0;
+  std::size_t most = 0;
+  for (std::size_t i = 0; wall_.layered[face] && i < wall_.corners(face); ++i)
   {
-    std::size_t least = wall.layered[f] ? layers_ : 0;
-    std::size_t most = 0;
-    for (std::size_t i = 0; wall.layered[f] && i < wall.corners(f); ++i)
-    {
-      least = std::min<std::size_t>(least, counts_[wall.node(f, i)]);
-      most = std::max<std::size_t>(most, counts_[wall.node(f, i)]);
-    }
-    most_[f] = static_cast<std::uint8_t>(most);
-    const bool isMixed = least < most;
-    const double slenderness = isMixed ? std::sqrt(wall.area(f)) / wall.asked[f] : 0;
-    regular_[f] = static_cast<std::uint8_t>(heights.layersBelow(least, most, slenderness));
+    least = std::min<std::size_t>(least, counts_[wall_.node(face, i)]);
+    most = std::max<std::size_t>(most, counts_[wall_.node(face, i)]);
   }
+  most_[face] = static_cast<std::uint8_t>(most);
+  const bool isMixed = least < most;
+  const double slenderness = isMixed ? std::sqrt(wall_.area(face)) / wall_.asked[face] : 0;
+  regular_[face] = static_cast<std::uint8_t>(heights.layersBelow(least, most, slenderness));
 }
 
 std::size_t StackCells::begin(std::size_t face, std::size_t k) const

@@ -17,7 +17,7 @@ class StackCells
 {
 public:
   // Borrows the wall.
-  StackCells(const LayeredWall& wall, const LayerHeights& heights);
+  StackCells(const LayeredWall& wall, const LayerHeights& heights, Execution& execution);
 
   std::size_t layers() const { return layers_; }
 
@@ -41,6 +41,7 @@ public:
   std::size_t endOfSide(std::size_t face, std::size_t i, std::size_t layer) const;
 
 private:
+  void count(std::size_t face, const LayerHeights& heights);
   std::size_t first(std::size_t face) const { return layers_ - most_[face]; }
   bool beginsAt(std::size_t face, std::size_t layer) const;
   std::size_t endAt(std::size_t face, std::size_t layer) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/StackSides.h"
 
+#include "Base/ForEachItem.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -19,20 +21,19 @@ constexpr double LowByLength = 0.02;
 
 }
 
-StackSides::StackSides(
-  const LayeredWall& wall, const LayerHeights& heights, const StackCells& cells)
+StackSides::StackSides(const LayeredWall& wall, const LayerHeights& heights,
+  const StackCells& cells, Execution& execution)
   : wall_(wall)
   , heights_(heights)
   , cells_(cells)
   , inner_(heights.layers() * wall.beyond.size())
 {
-  for (std::size_t f = 0; f < wall.layered.size(); ++f)
-  {
+  forEachItem(wall.layered.size(), execution, [&](std::size_t f) {
     if (wall.hasStack(f))
     {
       divideFace(f);
     }
-  }
+  });
 }
 
 // Whether the edges before and after a corner do.

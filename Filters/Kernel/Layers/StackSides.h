@@ -15,7 +15,8 @@ class StackSides
 {
 public:
   // Borrows all of them.
-  StackSides(const LayeredWall& wall, const LayerHeights& heights, const StackCells& cells);
+  StackSides(const LayeredWall& wall, const LayerHeights& heights, const StackCells& cells,
+    Execution& execution);
 
   // Calls visit(i, n) for the sides over a face, in the k-th layer above the mesh: each is over the edges from corner i
   // of the face to corner i + n.

@@ -96,6 +96,18 @@ public:
   void forEachCell(Visitor&& visit) const
   {
     const auto [begin, end] = coreRows();
+    forEachCellInRows(begin, end, visit);
+  }
+
+  // The rows of boxes with cells, and calls visit(cell) for all cells in some of these, hexahedra first.
+  std::array<std::size_t, 2> coreRows() const
+  {
+    return { parts_.boxes.row(0, parts_.boxes.core.begin),
+      parts_.boxes.row(0, parts_.boxes.core.end) };
+  }
+  template <class Visitor>
+  void forEachCellInRows(std::size_t begin, std::size_t end, Visitor&& visit) const
+  {
     for (std::size_t row = begin; row < end; ++row)
     {
       forEachHexahedron(row, visit);
@@ -197,11 +209,6 @@ private:
   std::size_t firstBoxOfRow(std::size_t row) const
   {
     return parts_.boxes.globals[parts_.boxes.rowStart[row]].firstBox;
-  }
-  std::array<std::size_t, 2> coreRows() const
-  {
-    return { parts_.boxes.row(0, parts_.boxes.core.begin),
-      parts_.boxes.row(0, parts_.boxes.core.end) };
   }
   template <class Visitor>
   void forEachHexahedron(std::size_t row, Visitor&& visit) const;

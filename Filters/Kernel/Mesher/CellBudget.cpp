@@ -158,15 +158,16 @@ std::string describeBudget(const Assembly& assembly, const Options& options)
   std::string text;
   if (assembly.relaxation > 1)
   {
-    text = "To meet the Cell Budget, Curvature Angle, the box size in gaps (Cells Across Gaps) and "
-           "the sizes of the Size Array, where used, were multiplied by " +
+    text =
+      "To meet the Cell Budget, Curvature Angle, that of Refine For Layers, the box size in gaps "
+      "(Cells Across Gaps) and the sizes of the Size Array, where used, were multiplied by " +
       number(assembly.relaxation) + ": " + has;
   }
   if (cells > options.cellBudget * (1 + BudgetTolerance))
   {
     text += std::string(text.empty() ? "" : " ") +
-      "The Cell Budget cannot be met by relaxing Curvature Angle, Cells Across Gaps and the Size "
-      "Array alone: " +
+      "The Cell Budget cannot be met by relaxing Curvature Angle, Refine For Layers, Cells Across "
+      "Gaps and the Size Array alone: " +
       has + " Choose a larger Cell Size or a smaller Refinement Depth.";
   }
   return text;

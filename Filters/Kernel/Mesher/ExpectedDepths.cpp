@@ -93,7 +93,7 @@ public:
     while (begin != end)
     {
       const std::size_t unit = unitOf(*begin);
-      const Places next =
+      const auto next =
         std::find_if(begin, end, [&](const Place& place) { return unitOf(place) != unit; });
       if (forced_[unit] > first.level)
       {
@@ -144,11 +144,11 @@ std::vector<std::uint8_t> depthsOf(
   std::sort(
     some.begin(), some.end(), [](const Place& a, const Place& b) { return a.global < b.global; });
   DepthsInParts parts(depths);
-  for (Places begin = some.begin(); begin != some.end();)
+  for (auto begin = some.begin(); begin != some.end();)
   {
     execution.poll();
     const Index global = begin->global;
-    const Places end =
+    const auto end =
       std::find_if(begin, some.end(), [&](const Place& place) { return place.global != global; });
     const Depths own = refinement.at(global[0], global[1], global[2]);
     parts.look(refinement.forcingOf(global, own), {}, begin, end);
@@ -190,14 +190,15 @@ PreparedSurface prepareQuickly(
   {
     turnInsideOut(prepared.surface);
   }
-  stepAside(prepared.surface, options.refinement.deepest(), prepared.planes, execution);
+  stepAside(prepared.surface, refinementOf(options).deepest(), prepared.planes, execution);
   return prepared;
 }
 
 }
 
-bool hasSeveralDepths(const RefinementSpec& spec)
+bool hasSeveralDepths(const Options& options)
 {
+  const RefinementSpec spec = refinementOf(options);
   return !spec.blocks.empty() || !spec.boundaries.empty() || !spec.regions.empty() ||
     spec.sizing.any();
 }
@@ -205,19 +206,20 @@ bool hasSeveralDepths(const RefinementSpec& spec)
 ExpectedDepths expectedDepths(const SurfaceView& view, const Options& options,
   const std::vector<std::array<double, 3>>& given, Execution& execution)
 {
-  const bool isRepaired = options.refinement.sizing.any() && view.triangleCount <= MostRepaired;
+  const RefinementSpec spec = refinementOf(options, boundsOf(view).longest());
+  const bool isRepaired = spec.sizing.any() && view.triangleCount <= MostRepaired;
   const PreparedSurface prepared = isRepaired ? prepareSurface(view, options, execution)
                                               : prepareQuickly(view, options, execution);
   const Surface& surface = prepared.surface;
   const Meshlines& planes = prepared.planes;
   ExpectedDepths result{ endsOf(planes, surface.lattice), {}, {} };
-  if ((options.refinement.sizing.any() && !isRepaired) ||
+  if ((spec.sizing.any() && !isRepaired) ||
     estimateMesh(surface, planes).intersected > MostLookedAt)
   {
     return result;
   }
   const Shoeboxes shoeboxes = fillShoeboxes(surface, planes, execution);
-  const Refinement refinement(refinementOf(options), surface, shoeboxes, planes, execution);
+  const Refinement refinement(spec, surface, shoeboxes, planes, execution);
   std::vector<Place> places(given.size());
   execution.forEach(places.size(), Grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

@@ -23,12 +23,12 @@ struct ExpectedDepths
   std::vector<double> sizes;
 };
 
-// At places on the surface, in user units, with all refinement in the options. Boxes next to smaller ones may be smaller
+// `given`: places on the surface, in user units. With all refinement in the options. Boxes next to smaller ones may be smaller
 // still, for the transition between them. Throws Error: as prepareSurface() and decompose().
-ExpectedDepths expectedDepths(const SurfaceView& surface, const Options& options,
-  const std::vector<std::array<double, 3>>& places, Execution& execution);
+ExpectedDepths expectedDepths(const SurfaceView& view, const Options& options,
+  const std::vector<std::array<double, 3>>& given, Execution& execution);
 
 // Whether boxes along the surface may differ in depth.
-bool hasSeveralDepths(const RefinementSpec& spec);
+bool hasSeveralDepths(const Options& options);
 
 }

@@ -36,9 +36,6 @@ constexpr double MostLookedAt = 2e6;
 constexpr int FirstDepthLookedAt = 4;
 constexpr double MostGrowth = 4;
 
-// Of the boxes that refinement adds by the estimate of memory, which is on the safe side: measured from 0.6 to 0.9.
-constexpr double OfAddedBoxes = 0.7;
-
 // For each box that the surface passes through: small cells that are merged, and the cells of a layer at the wall. Measured
 // on five surfaces: 0.3 to 0.5, and 0.8 to 1.25.
 constexpr double CellsMerged = 0.35;
@@ -187,7 +184,7 @@ ExpectedMesh expected(
   const Areas& areas, const SurfaceView& surface, const Options& options, Execution& execution)
 {
   Counts boxes = areas.boxes(options.grid, options.refinement.depth, transitionLayersOf(options));
-  if (asksForPlaces(options.refinement) && boxes.all < MostLookedAt)
+  if (asksForPlaces(refinementOf(options)) && boxes.all < MostLookedAt)
   {
     const Counts looked = boxesOfGrid(surface, options, execution);
     const double added = OfAddedBoxes * std::max(0.0, looked.intersected - boxes.intersected);

@@ -11,6 +11,9 @@
 namespace cartesian
 {
 
+// Of the boxes that refinement adds by the estimate of memory, which is on the safe side: measured from 0.5 to 0.9.
+constexpr double OfAddedBoxes = 0.7;
+
 struct ExpectedMesh
 {
   double size = 0;  // of boxes, user units

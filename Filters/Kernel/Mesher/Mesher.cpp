@@ -5,6 +5,7 @@
 #include "Boxes/MeshEstimate.h"
 #include "Boxes/PlanePerturbation.h"
 #include "Layers/BoxSides.h"
+#include "Mesher/ExpectedMesh.h"
 #include "Patches/Patches.h"
 #include "Repair/Regions.h"
 
@@ -17,6 +18,8 @@ namespace cartesian
 
 namespace
 {
+
+constexpr int MostHalvingsAtLayers = 2;
 
 // As edits see them: of walls instead of boundaries. It makes no room at interfaces.
 WallLayerSpec forWalls(WallLayerSpec layers, const Walls& walls)
@@ -174,7 +177,8 @@ double smallestBoxSide(const PreparedSurface& prepared, const Options& options)
       least = std::min(least, lines[i] - lines[i - 1]);
     }
   }
-  return std::ldexp(double(least) * prepared.surface.lattice.step(), -options.refinement.deepest());
+  return std::ldexp(
+    double(least) * prepared.surface.lattice.step(), -refinementOf(options).deepest());
 }
 
 // Lids on a sheet that is all that there is would leave a film.
@@ -262,15 +266,21 @@ PreparedSurface prepareSurface(
   {
     requireValid(options.layers);
   }
-  stepAside(prepared.surface, options.refinement.deepest(), prepared.planes, execution);
+  stepAside(prepared.surface, refinementOf(options).deepest(), prepared.planes, execution);
   return prepared;
 }
 
-RefinementSpec refinementOf(const Options& options)
+RefinementSpec refinementOf(const Options& options, double longestSide)
 {
   RefinementSpec refinement = options.refinement;
   refinement.sizing.featureAngle = options.patches.featureAngle;
   refinement.transitionLayers = transitionLayersOf(options);
+  if (options.layers.any() && options.layers.refine)
+  {
+    refinement.sizing.halvingsAtLayers = MostHalvingsAtLayers;
+    refinement.sizing.layers =
+      withNumber(forFlow(options.layers, longestSide), options.grid.cellSize);
+  }
   return refinement;
 }
 
@@ -278,8 +288,9 @@ std::unique_ptr<Decomposition> decompose(
   const PreparedSurface& prepared, const Options& options, Execution& execution)
 {
   execution.stage("Boxes", AfterSurface, AfterBoxes);
-  return std::make_unique<Decomposition>(prepared.surface, prepared.planes, refinementOf(options),
-    prepared.memoryLimit, editsWall(options), execution);
+  return std::make_unique<Decomposition>(prepared.surface, prepared.planes,
+    refinementOf(options, prepared.bounds.longest()), prepared.memoryLimit, editsWall(options),
+    execution);
 }
 
 Patches makePatches(const PreparedSurface& prepared, const Decomposition& decomposition,
@@ -308,7 +319,7 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
     return assemble(std::move(boxes), std::move(patches), options, execution, nullptr, parts);
   }
   // The sides of a flow domain have none.
-  const double side = usualBoxSide(boxes, patches, options.layers, execution);
+  const double side = boxSideForLayers(boxes, patches, options.layers, execution);
   WallLayerSpec layers = withNumber(forFlow(options.layers, prepared.bounds.longest()), side);
   const EndBoundaries& ends = prepared.surface.ends;
   for (const std::int32_t end : ends)
@@ -322,6 +333,7 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   assembly->layers = std::make_unique<BoundaryLayers>(
     addLayers(*assembly->mesh, prepared.surface, layers, execution));
   assembly->layers->wanted = layersTo(layers, side);
+  assembly->layers->boxesAdded = OfAddedBoxes * decomposition.boxesAddedForLayers(execution);
   return assembly;
 }
 

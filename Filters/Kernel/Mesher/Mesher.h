@@ -67,8 +67,9 @@ PreparedSurface prepareSurface(
 PreparedSurface placeOnGrid(
   const SurfaceView& view, const Options& options, Execution& execution, int parts = 1);
 
-// All that refines the grid.
-RefinementSpec refinementOf(const Options& options);
+// All that refines the grid. `longestSide`: of the surface, in user units, by which layers are found; without it only the
+// deepest depths are right.
+RefinementSpec refinementOf(const Options& options, double longestSide = 0);
 
 // How the grid is divided; borrows `prepared`. Throws Error: BadParameter (of the refinement); of a
 // region's surface EmptySurface, BadCoordinate, FlawedSurface.

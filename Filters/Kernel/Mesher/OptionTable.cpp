@@ -74,6 +74,7 @@ std::vector<NamedOption> optionTable()
       "squared units of the surface per second" },
     { "Flow Length", d.layers.flow.length, WallFlow::Lengths, Length },
     { "Last Layer", d.layers.lastByBox, WallLayerSpec::LastLayers, "" },
+    { "Refine For Layers", double(d.layers.refine), { 0, 1 }, "" },
     { "Layers Thickness", d.layers.thickness, WallLayerSpec::Thicknesses, Length },
     { "Memory Limit", d.memoryLimit, Options::MemoryLimits, "GiB" },
     { "Number Of Threads", double(Execution::AllCores), { 0 }, "" },

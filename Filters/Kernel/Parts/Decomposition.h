@@ -45,6 +45,9 @@ public:
   // Of each layer of global boxes.
   std::vector<MeshEstimate> estimateLayers(Execution& execution) const;
 
+  // By these estimates, how many more boxes there are because walls with layers bend in them (SizingSpec::halvingsAtLayers).
+  double boxesAddedForLayers(Execution& execution) const;
+
   // Of a mesh or a part of one, with these layers.
   MeshEstimate together(const std::vector<MeshEstimate>& ofLayers, SlabRange layers) const;
 
@@ -56,8 +59,12 @@ public:
   std::vector<SlabRange> split(const std::vector<MeshEstimate>& layers, std::size_t count) const;
 
 private:
+  std::vector<MeshEstimate> estimateLayers(
+    const Refinement& refinement, Execution& execution) const;
+
   const Surface& surface_;
   const Meshlines& planes_;
+  RefinementSpec spec_;
   MemoryLimit limit_;
   bool editsWall_;
   Shoeboxes shoeboxes_;

@@ -15,6 +15,8 @@ namespace
 // Of all layers, as a part of the box beside them: thicker ones end in more places (measured on CAD and scans).
 constexpr double ThicknessByBox = 1.0 / 3;
 
+constexpr double FlatByBox = 0.03; // height of a first layer
+
 // Of all layers, where the first is 1.
 std::vector<double> sumsOfSeries(const WallLayerSpec& spec)
 {
@@ -91,7 +93,7 @@ int layersTo(const WallLayerSpec& spec, double box)
     ? spec.firstThickness
     : totalThickness(spec, box) * heightsOfLayers(spec)[1];
   const double times = spec.lastByBox * box / first;
-  return spec.ratio == 1 || times <= 1
+  return spec.ratio <= 1 || times <= 1
     ? 1
     : 1 + static_cast<int>(std::floor(std::log(times) / std::log(spec.ratio) + Rounding));
 }
@@ -117,6 +119,16 @@ double totalThickness(const WallLayerSpec& spec, double box)
     return spec.thickness;
   }
   return ThicknessByBox * box;
+}
+
+bool isFlat(double first, double box)
+{
+  return first < FlatByBox * box;
+}
+
+bool isFlat(const WallLayerSpec& spec, double box)
+{
+  return isFlat(totalThickness(spec, box) * heightsOfLayers(spec)[1], box);
 }
 
 std::vector<double> heightsOfLayers(const WallLayerSpec& spec)

@@ -34,6 +34,8 @@ struct WallLayerSpec
   // With an automatic number of layers: the most that the last one takes of the box beside it.
   double lastByBox = 0.1;
 
+  bool refine = true; // boxes in which a wall with layers bends (SizingSpec.h)
+
   // Boundaries that are unlike the others; of several entries the first applies.
   struct OfBoundary
   {
@@ -69,6 +71,10 @@ WallLayerSpec withNumber(WallLayerSpec spec, double box);
 
 // Of all layers, in user units, except on `boundaries`. `box`: the shortest side of the box there.
 double totalThickness(const WallLayerSpec& spec, double box);
+
+// Whether the first layer is low by a box of this side.
+bool isFlat(const WallLayerSpec& spec, double box);
+bool isFlat(double first, double box); // user units
 
 // The height above the wall at which each layer ends, as a part of the total: 0, ..., 1.
 std::vector<double> heightsOfLayers(const WallLayerSpec& spec);

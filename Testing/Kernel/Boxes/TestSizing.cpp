@@ -105,6 +105,63 @@ TEST(Sizing, SharpEdgesAreNoBends)
   EXPECT_TRUE(boxed(cube().turned(), 0.2, sizing).mesh == boxed(cube().turned(), 0.2, {}).mesh);
 }
 
+SizingSpec forLayers()
+{
+  SizingSpec sizing;
+  sizing.halvingsAtLayers = 2;
+  sizing.layers.count = 1;
+  sizing.layers.firstThickness = 1e-3;
+  return sizing;
+}
+
+Meshed boxedOnce(const Soup& soup, double cellSize, const SizingSpec& sizing)
+{
+  TestOptions options = asTheyAre();
+  options.refinement.depth = 1;
+  options.refinement.sizing = sizing;
+  return meshOf(soup, cellsOf(cellSize), options);
+}
+
+// But by no more than is allowed beyond the depth that is there anyway.
+TEST(Sizing, WallsWithLayersTurnByNoMoreThanThese)
+{
+  const SizingSpec sizing = forLayers();
+  for (const Soup& soup : { sphere(10, 1).turned(), torus(24, 1, 0.35).turned() })
+  {
+    const Meshed meshed = boxedOnce(soup, 0.9, sizing);
+    const Boxes& boxes = meshed.boxed.boxes;
+    int deepest = 0;
+    for (std::size_t b = 0; b < boxes.packed.size(); ++b)
+    {
+      const Box box = boxes.box(b);
+      deepest = std::max(deepest, leastLevel(box));
+      if (box.status == BoxStatus::Intersected && leastLevel(box) < 3)
+      {
+        ASSERT_LE(turnIn(meshed.prepared.surface, box), sizing.angleAtLayers + 1e-9);
+      }
+    }
+    EXPECT_GE(deepest, 2);
+    EXPECT_LE(deepest, 3);
+    EXPECT_TRUE(fills(meshed.mesh, soup));
+  }
+}
+
+TEST(Sizing, WallsWithoutLayersOrWithThickOnesMayTurn)
+{
+  const Soup soup = torus(24, 1, 0.35).turned();
+  const std::size_t boxes = boxedOnce(soup, 0.9, {}).boxed.boxes.packed.size();
+  SizingSpec sizing = forLayers();
+  EXPECT_GT(boxedOnce(soup, 0.9, sizing).boxed.boxes.packed.size(), boxes);
+  sizing.layers.firstThickness = 0.05;
+  EXPECT_EQ(boxedOnce(soup, 0.9, sizing).boxed.boxes.packed.size(), boxes);
+  sizing = forLayers();
+  for (std::size_t t = 0; t < soup.view().triangleCount; ++t)
+  {
+    sizing.layers.boundaries.push_back({ soup.boundaryOf(t), 0 });
+  }
+  EXPECT_EQ(boxedOnce(soup, 0.9, sizing).boxed.boxes.packed.size(), boxes);
+}
+
 TEST(Sizing, BoxesAtSharpEdgesAreOfTheFeatureDepth)
 {
   SizingSpec sizing;

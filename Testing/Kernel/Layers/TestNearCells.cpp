@@ -30,7 +30,7 @@ struct WithWall
     options.layers.count = 1; // from here on: the mesh is made as if there were none
     wall = findLayeredWall(layerRegions(mesh, assembly->patches.walls, execution).front(), mesh,
       points, options.layers, execution);
-    near = findNearCells(mesh, wall, Rings);
+    near = findNearCells(mesh, wall, Rings, execution);
   }
 
   Execution execution;
@@ -217,7 +217,7 @@ void expectAsWritten(const WithWall& with)
     EXPECT_EQ(near.origin[p], expected.distance[p] < Far ? expected.origin[p] : None) << p;
     EXPECT_EQ(near.wallNode[p], expected.distance[p] == 0 ? expected.origin[p] : None) << p;
   }
-  const std::vector<double> volumes = volumesOf(near.cells, with.points);
+  const std::vector<double> volumes = volumesOf(near.cells, with.points, execution);
   for (std::size_t c = 0; c < places.size(); ++c)
   {
     const std::size_t place = index(places[c]);

@@ -311,6 +311,26 @@ TEST(ThinLayers, WhatDiffersIsOneCell)
   }
 }
 
+// Where a wall bends within a box there are smaller ones, about as many more as are told; layers are chosen by boxes half as
+// large as most then. Not where boundaries without layers bend.
+TEST(ThinLayers, WallsThatBendGetSmallerBoxes)
+{
+  Execution execution(1);
+  const Soup soup = torus(24, 0.4, 0.15).turned();
+  TestOptions options;
+  options.grid = cellsOf(0.12);
+  options.memoryLimit = PlentyOfMemory;
+  options.layers = automaticLayers(1e-3 * 0.12);
+  const auto refined = mesh(soup.view(), options, execution);
+  options.layers.refine = false;
+  const auto plain = mesh(soup.view(), options, execution);
+  const auto boxes = [](const Assembly& a) { return double(a.boxes.packed.size()); };
+  EXPECT_GT(boxes(*refined), 1.5 * boxes(*plain));
+  EXPECT_NEAR(refined->layers->boxesAdded / (boxes(*refined) - boxes(*plain)), 1, 0.5);
+  EXPECT_EQ(plain->layers->boxesAdded, 0);
+  EXPECT_EQ(plain->layers->spec.count, layersTo(options.layers, 0.12));
+}
+
 // Where walls come closer and closer there are fewer layers, and the first is as high as elsewhere.
 TEST(ThinLayers, StacksBetweenWallsKeepTheirFirstLayer)
 {

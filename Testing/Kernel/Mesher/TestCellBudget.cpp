@@ -71,6 +71,27 @@ TEST(CellBudget, GapsAndSizesAreRelaxed)
   expectWithin(wedge, asking(0.3, sizing), { 9000, 4000 });
 }
 
+TEST(CellBudget, RefinementForLayersIsRelaxed)
+{
+  const Soup soup = torus(24, 1, 0.3).turned();
+  TestOptions options = asking(0.25, {});
+  options.layers.count = 3;
+  options.layers.firstThickness = 1e-3;
+  const auto cellsOf = [&](double budget) {
+    options.cellBudget = budget;
+    const std::unique_ptr<Assembly> made = meshOf(soup, options);
+    return static_cast<double>(made->mesh->cellCount()) +
+      static_cast<double>(made->layers->stacks.cells());
+  };
+  const double all = cellsOf(1e9);
+  options.layers.refine = false;
+  const double without = cellsOf(1e9);
+  options.layers.refine = true;
+  ASSERT_GT(all, 1.5 * without);
+  const double budget = (all + without) / 2;
+  EXPECT_LE(cellsOf(budget), (1 + BudgetTolerance) * budget);
+}
+
 TEST(CellBudget, WhatIsNotRelaxedIsTold)
 {
   SizingSpec sizing;

@@ -72,6 +72,19 @@ TEST(ExpectedMesh, AsManyCellsAreMade)
   }
 }
 
+TEST(ExpectedMesh, RefinementForLayersCounts)
+{
+  const Soup soup = torus(40, 1, 0.25).turned();
+  TestOptions options = sized(0.1);
+  options.layers.count = 3;
+  options.layers.firstThickness = 1e-3;
+  Execution execution(1);
+  const double refined = expectedMesh(soup.view(), options, execution).cells;
+  EXPECT_NEAR(refined / madeOf(soup, options), 1, 0.3);
+  options.layers.refine = false;
+  EXPECT_GT(refined, 1.5 * expectedMesh(soup.view(), options, execution).cells);
+}
+
 TEST(ExpectedMesh, BoundariesWithoutLayersHaveNone)
 {
   const Soup soup = sphere(20, 1);
