@@ -23,7 +23,7 @@ struct ExpectedDepths
   std::vector<double> sizes;
 };
 
-// `given`: places on the surface, in user units. With all refinement in the options. Boxes next to smaller ones may be smaller
+// With all refinement in the options, at `given` places on the surface, in user units. Boxes next to smaller ones may be smaller
 // still, for the transition between them. Throws Error: as prepareSurface() and decompose().
 ExpectedDepths expectedDepths(const SurfaceView& view, const Options& options,
   const std::vector<std::array<double, 3>>& given, Execution& execution);

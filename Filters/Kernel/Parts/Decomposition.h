@@ -45,7 +45,8 @@ public:
   // Of each layer of global boxes.
   std::vector<MeshEstimate> estimateLayers(Execution& execution) const;
 
-  // By these estimates, how many more boxes there are because walls with layers bend in them (SizingSpec::halvingsAtLayers).
+  // By these estimates, which leave out the transition to larger boxes, how many more there are because walls with layers bend
+  // in them (SizingSpec::halvingsAtLayers).
   double boxesAddedForLayers(Execution& execution) const;
 
   // Of a mesh or a part of one, with these layers.
