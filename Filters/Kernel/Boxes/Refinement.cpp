@@ -50,7 +50,7 @@ double shortestEdge(const std::array<std::uint32_t, 3>& global, const Meshlines&
 
 int deepestDivisible(const Meshlines& planes)
 {
-  Level least = LevelsOfTheDomain;
+  Level least = std::numeric_limits<Level>::max();
   for (const std::vector<Level>& ofAxis : planes)
   {
     for (std::size_t i = 0; i + 1 < ofAxis.size(); ++i)
