@@ -48,8 +48,7 @@ constexpr std::array<Told, 15> WhatWasDone{ {
   { "FragmentCellsRemoved", "Cells left out because the grid cuts them off" },
   { "IsolatedCells", "Cells connected to few or no others" },
   { "PartsLeftOut", "Parts without a Keep Point left out" },
-  { "BoxesForLayers",
-    "Boxes added along walls for layers, about, without the transition to larger ones" },
+  { "BoxesForLayers", "Boxes added where walls with layers bend (Refine For Layers)" },
   { "VoidsInsideCells", "Closed pieces of surface inside one cell" },
 } };
 

@@ -408,7 +408,7 @@ public:
     setField(output, "WholeStacks", { ofWalls_.wholeShare() });
     setField(output, "FirstLayersKept", { ofWalls_.firstShare() });
     setField(output, "LayersOfAStack", { static_cast<double>(layers_.spec.count) });
-    setField(output, "BoxesForLayers", { std::round(layers_.boxesAdded) });
+    setField(output, "BoxesForLayers", { static_cast<double>(layers_.boxesAdded) });
     if (const WallFlow& flow = layers_.spec.flow; flow.targetYPlus > 0)
     {
       setField(output, "FlowSpeed", { flow.speed });

@@ -40,6 +40,9 @@ constexpr double OfALayersExactCorner = 465;
 // A surface leaves about this many times 4^d boxes inside a box of depth d.
 constexpr double BoxesBesideUnits = 0.4;
 
+// For each octant that the surface requires: boxes of its transition, a layer. 4 where surfaces bend, 8 along edges.
+constexpr double BoxesOfATransitionLayer = 8;
+
 // Walls close to each other share units: more than these are rarely intersected, of all in a box, and of 4^d.
 constexpr double MostUnits = 0.7;
 constexpr double MostLayersOfUnits = 2;
@@ -130,7 +133,7 @@ std::vector<float> areasInBoxes(
 }
 
 MeshEstimate estimateBox(BoxStatus status, const Depths& depths,
-  const std::vector<TouchedPart>& touched, const TriangleRange& triangles,
+  const std::vector<TouchedPart>& touched, int transitionLayers, const TriangleRange& triangles,
   const std::vector<float>& areas)
 {
   const auto passing = static_cast<double>(triangles.second - triangles.first);
@@ -156,8 +159,10 @@ MeshEstimate estimateBox(BoxStatus status, const Depths& depths,
   if (depths.sized > 0)
   {
     // Octants that the surface requires, and those that contain them; the rest of the latter are empty or inside.
-    const auto units = std::max(result.intersected, double(depths.octants));
-    result = { result.inside + units, status == BoxStatus::Intersected ? units : 0,
+    const auto octants = static_cast<double>(depths.octants);
+    const double units = result.intersected + octants;
+    const double around = BoxesOfATransitionLayer * (transitionLayers - 1) * octants;
+    result = { result.inside + units + around, status == BoxStatus::Intersected ? units : 0,
       piecesIn(units, passing) };
   }
   for (const auto& [depth, share] : touched)

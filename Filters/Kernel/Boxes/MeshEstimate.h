@@ -58,8 +58,9 @@ std::vector<float> areasInBoxes(
 
 // Of one global box that is inside or intersected, and of the triangles that pass through it. `areas`: of all
 // triangles (above); may be empty if the box is not divided. `touched`: where depths.touched says that there are parts.
+// `transitionLayers`: around what the surface requires (RefinementSpec), at least 1.
 MeshEstimate estimateBox(BoxStatus status, const Depths& depths,
-  const std::vector<TouchedPart>& touched, const TriangleRange& triangles,
+  const std::vector<TouchedPart>& touched, int transitionLayers, const TriangleRange& triangles,
   const std::vector<float>& areas);
 
 // Of boxes that are made, for each layer of the grid.

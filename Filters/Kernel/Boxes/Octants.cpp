@@ -142,6 +142,12 @@ int Octants::deepestIn(const Range& range)
     [](int deepest, const Key& key) { return std::max(deepest, levelOf(key)); });
 }
 
+std::size_t Octants::countBelow(const Range& range, int level)
+{
+  return static_cast<std::size_t>(
+    std::count_if(range.first, range.second, [&](const Key& key) { return levelOf(key) > level; }));
+}
+
 Octants::Range Octants::in(const std::array<std::uint32_t, 3>& global) const
 {
   const Key first{ numberOf(global), 0 };

@@ -42,9 +42,14 @@ public:
   // is of level 0.
   void add(std::vector<std::vector<Key>>& lists);
 
+  std::size_t size() const { return keys_.size(); }
+
   // The largest level; 0 if there are none.
   int deepest() const;
   static int deepestIn(const Range& range);
+
+  // How many are smaller than those of a level.
+  static std::size_t countBelow(const Range& range, int level);
 
   // Those that are smaller than a cube and in it.
   Range in(const std::array<std::uint32_t, 3>& global) const;

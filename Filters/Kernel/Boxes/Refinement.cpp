@@ -130,6 +130,7 @@ Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
   : depth_(spec.depth)
   , sizing_(spec.sizing)
   , octants_(planes)
+  , octantsWithoutBends_(planes)
   , transitionLayers_(std::max(1, spec.transitionLayers))
   , anyWithoutLayers_(spec.depth > 0 || !spec.blocks.empty() || !spec.boundaries.empty() ||
       !spec.regions.empty() || spec.sizing.asksEverywhere())
@@ -147,7 +148,7 @@ Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
   {
     checkDepth(region.depth, "The depth of Refinement Regions");
     deepest_ = std::max(deepest_, region.depth);
-    regions_.push_back(std::make_unique<RefinedRegion>(region, surface.lattice, planes, execution));
+    regions_.push_back(std::make_shared<RefinedRegion>(region, surface.lattice, planes, execution));
   }
   requireInRange(SizingSpec::CurvatureAngles, sizing_.curvatureAngle, "Curvature Angle");
   requireInRange(SizingSpec::GapCells, sizing_.cellsAcrossGaps, "Cells Across Gaps");
@@ -188,6 +189,7 @@ void Refinement::addSizes(const SizingSpec& spec, const Surface& surface,
   {
     addWantedSizes(spec, surface, shoeboxes, planes, octants_, execution);
   }
+  octantsWithoutBends_ = octants_;
   if (spec.halvingsAtLayers > 0)
   {
     addBendsAtLayers(spec, surface, shoeboxes, planes, execution);
@@ -297,6 +299,14 @@ void Refinement::addBoundary(const BoundaryRefinement& row, std::size_t number,
   boundaries_.push_back(std::move(boundary));
 }
 
+Refinement Refinement::withoutBendsAtLayers() const
+{
+  Refinement result = *this;
+  result.octants_ = octantsWithoutBends_;
+  result.deepest_ = std::max(deepestWithoutSizes_, octantsWithoutBends_.deepest());
+  return result;
+}
+
 Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
 {
   Depths depths = withoutSizesAt(i, j, k);
@@ -304,7 +314,7 @@ Depths Refinement::at(std::int64_t i, std::int64_t j, std::int64_t k) const
     static_cast<std::uint32_t>(j), static_cast<std::uint32_t>(k) };
   const Octants::Range octants = octants_.in(global);
   const int sized = Octants::deepestIn(octants);
-  depths.octants = static_cast<std::size_t>(octants.second - octants.first);
+  depths.octants = Octants::countBelow(octants, depths.allowed);
   depths.sized = sized > depths.forced ? sized : 0;
   return depths;
 }

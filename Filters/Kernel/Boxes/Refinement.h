@@ -68,7 +68,7 @@ struct Depths
   int forced = 0;          // everywhere; at most `allowed`
   int touched = 0;         // where regions touch that do so in part only; 0, or more than `forced`
   int sized = 0;           // the most that the surface requires anywhere; 0, or more than `forced`
-  std::size_t octants = 0; // that it requires
+  std::size_t octants = 0; // of them, deeper than `allowed`
 
   int deepest() const { return std::max({ allowed, touched, sized }); }
 
@@ -109,6 +109,9 @@ public:
   void relax(double factor, const Surface& surface, const Shoeboxes& shoeboxes,
     const Meshlines& planes, Execution& execution);
 
+  // As if walls with layers did not bend (SizingSpec::halvingsAtLayers).
+  Refinement withoutBendsAtLayers() const;
+
   Depths at(std::int64_t i, std::int64_t j, std::int64_t k) const;
 
   // Without what the shape of the surface and fields require.
@@ -130,6 +133,9 @@ public:
 
   // Whether any box is divided.
   bool any() const { return anyWithoutLayers_ || deepest_ > deepestWithoutSizes_; }
+
+  // Whether any is because a wall with layers bends in it (SizingSpec::halvingsAtLayers).
+  bool refinesForLayers() const { return octants_.size() > octantsWithoutBends_.size(); }
 
   // The most times that a box is halved along an axis.
   int deepest() const { return deepest_; }
@@ -158,8 +164,9 @@ private:
   SizingSpec sizing_;
   std::vector<RefinementBlock> blocks_;
   std::vector<RefinedBoundary> boundaries_;
-  std::vector<std::unique_ptr<RefinedRegion>> regions_;
+  std::vector<std::shared_ptr<const RefinedRegion>> regions_;
   Octants octants_;
+  Octants octantsWithoutBends_; // at layers
   int transitionLayers_;
   bool anyWithoutLayers_;
   int deepest_ = 0;

@@ -32,7 +32,7 @@ struct BoundaryLayers
   WallLayerSpec spec;
   int wanted =
     0; // layers that would lead to the last one's usual part of a box (layersTo), may be too many
-  double boxesAdded = 0; // along walls with layers that bend, about; without the transition
+  std::size_t boxesAdded = 0; // because walls with layers bend in them
   PrismStacks stacks;
   LayeredBoundary boundary;
   std::vector<ChangedCell> changed; // cells whose points moved

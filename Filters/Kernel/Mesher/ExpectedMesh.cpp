@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -28,8 +29,14 @@ constexpr std::array<double, 4> BoxesAlongLongest = { 25, 50, 100, 200 };
 // Significant digits of those sizes.
 constexpr int DigitsOfSizes = 3;
 
-// More boxes than these take seconds to examine: their number is estimated from areas.
+// More boxes than these take seconds: their number is estimated from areas.
 constexpr double MostLookedAt = 2e6;
+
+// As many take about a second to make.
+constexpr double MostMade = 5e5;
+
+// Of the boxes that refinement adds by the estimate of memory, which is on the safe side: measured from 0.5 to 0.9.
+constexpr double OfAddedBoxes = 0.7;
 
 // That many halvings for sizes are always looked at. A level has at most so many times the boxes of the one before, as
 // it is at surfaces.
@@ -157,14 +164,28 @@ Counts boxesOfGrid(
   const auto decomposition = decompose(prepared, limited, execution);
   const MeshEstimate all =
     decomposition->together(decomposition->estimateLayers(execution), decomposition->allLayers());
-  return { all.boxes(), all.intersected };
+  Counts counts;
+  if (OfAddedBoxes * all.boxes() < MostMade)
+  {
+    const Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
+    counts.all = static_cast<double>(boxes.packed.size());
+    counts.intersected = static_cast<double>(std::count_if(boxes.packed.begin(), boxes.packed.end(),
+      [](const PackedBox& box) { return box.status == BoxStatus::Intersected; }));
+  }
+  else
+  {
+    counts.all = OfAddedBoxes * all.boxes();
+    counts.intersected = OfAddedBoxes * all.intersected;
+  }
+  return counts;
 }
 
 // Where sizes ask for deep boxes, they are only searched for as deeply as there are not too many; each level beyond
 // grows as the last one did.
 Counts boxesOfGrid(const SurfaceView& surface, const Options& options, Execution& execution)
 {
-  const PreparedSurface prepared = prepareSurface(surface, options, execution);
+  PreparedSurface prepared = prepareSurface(surface, options, execution);
+  prepared.memoryLimit.bytes = std::numeric_limits<double>::infinity(); // boxes alone take little
   const int deepest = options.refinement.sizing.deepest();
   int depth = std::min(deepest, FirstDepthLookedAt);
   Counts boxes = boxesOfGrid(prepared, options, depth, execution);
@@ -187,10 +208,9 @@ ExpectedMesh expected(
   if (asksForPlaces(refinementOf(options)) && boxes.all < MostLookedAt)
   {
     const Counts looked = boxesOfGrid(surface, options, execution);
-    const double added = OfAddedBoxes * std::max(0.0, looked.intersected - boxes.intersected);
-    boxes.atLayers *= 1 + added / std::max(1.0, boxes.intersected);
-    boxes.intersected += added;
-    boxes.all += OfAddedBoxes * std::max(0.0, looked.all - boxes.all);
+    boxes.atLayers *= looked.intersected / std::max(1.0, boxes.intersected);
+    boxes.intersected = looked.intersected;
+    boxes.all = looked.all;
   }
   const WallLayerSpec layers = expectedLayers(options, boundsOf(surface).longest()).spec;
   ExpectedMesh mesh;

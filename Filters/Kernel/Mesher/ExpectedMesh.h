@@ -11,9 +11,6 @@
 namespace cartesian
 {
 
-// Of the boxes that refinement adds by the estimate of memory, which is on the safe side: measured from 0.5 to 0.9.
-constexpr double OfAddedBoxes = 0.7;
-
 struct ExpectedMesh
 {
   double size = 0;  // of boxes, user units
@@ -32,7 +29,7 @@ struct ExpectedLayers
 ExpectedLayers expectedLayers(const Options& options, double longestSide);
 
 // For the grid with all refinement and layers in the options. If only areas of the surface matter, they suffice; else
-// each box of the grid is examined, unless there are far too many. Throws Error: EmptySurface,
+// the boxes are made, unless there are far too many. Throws Error: EmptySurface,
 // BadCoordinate, BadParameter, FlawedSurface (of a region).
 ExpectedMesh expectedMesh(const SurfaceView& surface, const Options& options, Execution& execution);
 

@@ -5,7 +5,6 @@
 #include "Boxes/MeshEstimate.h"
 #include "Boxes/PlanePerturbation.h"
 #include "Layers/BoxSides.h"
-#include "Mesher/ExpectedMesh.h"
 #include "Patches/Patches.h"
 #include "Repair/Regions.h"
 
@@ -311,6 +310,7 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
     estimateLayers(decomposition.shoeboxes(), boxes, execution), decomposition.allLayers());
   const MemoryLimit& limit = prepared.memoryLimit;
   checkMemory(estimate, limit);
+  const std::size_t added = decomposition.boxesAddedForLayers(boxes.packed.size(), execution);
   Patches patches = makePatches(prepared, decomposition, boxes, options, execution);
   // The content of boxes with other than exact patches is known only here.
   checkMemory(estimate.boxes(), estimate.bytes(limit, cornersOf(patches)), limit);
@@ -333,7 +333,7 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   assembly->layers = std::make_unique<BoundaryLayers>(
     addLayers(*assembly->mesh, prepared.surface, layers, execution));
   assembly->layers->wanted = layersTo(layers, side);
-  assembly->layers->boxesAdded = OfAddedBoxes * decomposition.boxesAddedForLayers(execution);
+  assembly->layers->boxesAdded = added;
   return assembly;
 }
 

@@ -38,7 +38,6 @@ Decomposition::Decomposition(const Surface& surface, const Meshlines& planes,
   const RefinementSpec& spec, const MemoryLimit& limit, bool editsWall, Execution& execution)
   : surface_(surface)
   , planes_(planes)
-  , spec_(spec)
   , limit_(limit)
   , editsWall_(editsWall)
   , shoeboxes_(fillShoeboxes(surface, planes, execution))
@@ -67,34 +66,20 @@ Boxes Decomposition::boxes(SlabRange core, Execution& execution) const
     surface_, planes_, shoeboxes_, refinement_, statuses_, core, kept, execution);
 }
 
+std::size_t Decomposition::boxesAddedForLayers(std::size_t all, Execution& execution) const
+{
+  return refinement_.refinesForLayers() ? all -
+      generateBoxes(surface_, planes_, shoeboxes_, refinement_.withoutBendsAtLayers(), statuses_,
+        allLayers(), allLayers(), execution)
+        .packed.size()
+                                        : 0;
+}
+
 std::vector<MeshEstimate> Decomposition::estimateLayers(Execution& execution) const
 {
-  return estimateLayers(refinement_, execution);
-}
-
-double Decomposition::boxesAddedForLayers(Execution& execution) const
-{
-  if (spec_.sizing.halvingsAtLayers == 0)
-  {
-    return 0;
-  }
-  RefinementSpec others = spec_;
-  others.sizing.halvingsAtLayers = 0;
-  Refinement without(others, surface_, shoeboxes_, planes_, execution);
-  if (relaxation_ != 1)
-  {
-    without.relax(relaxation_, surface_, shoeboxes_, planes_, execution);
-  }
-  return std::max(0.0,
-    together(estimateLayers(execution), allLayers()).boxes() -
-      together(estimateLayers(without, execution), allLayers()).boxes());
-}
-
-std::vector<MeshEstimate> Decomposition::estimateLayers(
-  const Refinement& refinement, Execution& execution) const
-{
+  const bool any = refinement_.any();
   const std::vector<float> areas =
-    refinement.any() ? areasInBoxes(surface_, planes_, shoeboxes_) : std::vector<float>();
+    any ? areasInBoxes(surface_, planes_, shoeboxes_) : std::vector<float>();
   std::vector<MeshEstimate> layers(allLayers().end);
   execution.forEach(layers.size(), 1, [&](std::size_t begin, std::size_t) {
     const auto k = static_cast<std::uint32_t>(begin);
@@ -103,10 +88,11 @@ std::vector<MeshEstimate> Decomposition::estimateLayers(
     for (std::uint32_t j = 0; j + 1 < planes_[1].size(); ++j)
     {
       statuses_.forEachBox(j, k, [&](std::uint32_t i, BoxStatus status) {
-        const Depths depths = refinement.any() ? refinement.at(i, j, k) : Depths();
+        const Depths depths = any ? refinement_.at(i, j, k) : Depths();
         const std::vector<TouchedPart> touched =
-          depths.touched > 0 ? refinement.touchedParts(i, j, k) : std::vector<TouchedPart>();
-        sum.add(estimateBox(status, depths, touched, shoeboxes_.triangles(firstRow + j, i), areas));
+          depths.touched > 0 ? refinement_.touchedParts(i, j, k) : std::vector<TouchedPart>();
+        sum.add(estimateBox(status, depths, touched, refinement_.transitionLayers(),
+          shoeboxes_.triangles(firstRow + j, i), areas));
       });
     }
   });

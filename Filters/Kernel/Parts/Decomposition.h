@@ -42,12 +42,11 @@ public:
   // The boxes of a part and those it depends on. Throws Error: TooManyBoxes.
   Boxes boxes(SlabRange core, Execution& execution) const;
 
+  // How many of all boxes are there because walls with layers bend in them (SizingSpec::halvingsAtLayers).
+  std::size_t boxesAddedForLayers(std::size_t all, Execution& execution) const;
+
   // Of each layer of global boxes.
   std::vector<MeshEstimate> estimateLayers(Execution& execution) const;
-
-  // By these estimates, which leave out the transition to larger boxes, how many more there are because walls with layers bend
-  // in them (SizingSpec::halvingsAtLayers).
-  double boxesAddedForLayers(Execution& execution) const;
 
   // Of a mesh or a part of one, with these layers.
   MeshEstimate together(const std::vector<MeshEstimate>& ofLayers, SlabRange layers) const;
@@ -60,12 +59,8 @@ public:
   std::vector<SlabRange> split(const std::vector<MeshEstimate>& layers, std::size_t count) const;
 
 private:
-  std::vector<MeshEstimate> estimateLayers(
-    const Refinement& refinement, Execution& execution) const;
-
   const Surface& surface_;
   const Meshlines& planes_;
-  RefinementSpec spec_;
   MemoryLimit limit_;
   bool editsWall_;
   Shoeboxes shoeboxes_;

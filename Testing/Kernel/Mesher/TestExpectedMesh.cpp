@@ -98,7 +98,7 @@ TEST(ExpectedMesh, BoundariesWithoutLayersHaveNone)
     options.layers.boundaries.push_back({ soup.boundaryOf(t), 0 });
   }
   EXPECT_GT(with, 2 * without);
-  EXPECT_EQ(expectedMesh(soup.view(), options, execution).cells, without);
+  EXPECT_NEAR(expectedMesh(soup.view(), options, execution).cells / without, 1, 0.02);
 }
 
 // The sharp edges lie along the ends: in few of the layers, or in one.
@@ -124,9 +124,9 @@ TEST(ExpectedMesh, SmallRegionsTakeFewBoxes)
     depths.touched = depth;
     const double share = 1000 * std::pow(8, -depth);
     const MeshEstimate small =
-      estimateBox(BoxStatus::Inside, depths, { { depth, std::min(0.5, share) } }, {}, {});
+      estimateBox(BoxStatus::Inside, depths, { { depth, std::min(0.5, share) } }, 1, {}, {});
     EXPECT_LE(small.boxes(), 1001) << depth;
-    const MeshEstimate half = estimateBox(BoxStatus::Inside, depths, { { depth, 0.5 } }, {}, {});
+    const MeshEstimate half = estimateBox(BoxStatus::Inside, depths, { { depth, 0.5 } }, 1, {}, {});
     EXPECT_NEAR(half.boxes() / std::pow(8, depth), 0.5, 1e-3) << depth;
   }
 }
