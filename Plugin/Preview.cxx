@@ -41,16 +41,29 @@ public:
     forEachProperty(source, [this](const char* /*name*/, vtkSMProperty* changing) {
       changing->AddObserver(vtkCommand::UncheckedPropertyModifiedEvent, this);
     });
+    source->AddObserver(vtkCommand::UpdateEvent, this);
     source->AddObserver(vtkCommand::UpdateDataEvent, this);
     observeSelections(source->GetSessionProxyManager(), this);
+    this->Applied = textOf(source, false);
     this->IsApplied = source->GetSessionProxyManager()->GetInLoadXMLState();
   }
 
   void Execute(vtkObject* caller, unsigned long event, void* /*data*/) override
   {
+    // Values are applied one by one: what is drawn between the first and the last would be meshed with some of them.
+    if (event == vtkCommand::UpdateEvent)
+    {
+      this->Applied = textOf(this->Source, false);
+    }
+    if (event == vtkCommand::UncheckedPropertyModifiedEvent && this->Source &&
+      textOf(this->Source, false) != this->Applied)
+    {
+      return;
+    }
     this->IsApplied = this->IsApplied || event == vtkCommand::UpdateDataEvent;
     const WithoutUndo withoutUndo;
-    this->Update();
+    this->Update(
+      event != vtkCommand::UpdateEvent); // sources that are applied later may be above this one
     if (!this->Source && event == vtkCommand::CurrentChangedEvent)
     {
       caller->RemoveObserver(this); // the source was deleted
@@ -67,7 +80,7 @@ private:
       (!this->IsApplied || textOf(this->Source, true) != textOf(this->Source, false));
   }
 
-  void Update()
+  void Update(bool draws)
   {
     vtkSMSessionProxyManager* proxies =
       this->Source ? this->Source->GetSessionProxyManager() : nullptr;
@@ -75,9 +88,14 @@ private:
       proxies && this->IsWanted(proxies) ? activeWindow(proxies) : nullptr;
     if (this->Scene && this->Scene->view() != view)
     {
+      const vtkSmartPointer<vtkSMRenderViewProxy> before = this->Scene->view();
       this->Scene.reset();
+      if (before && draws)
+      {
+        before->StillRender();
+      }
     }
-    if (!view)
+    if (!view || !draws)
     {
       return;
     }
@@ -105,7 +123,8 @@ private:
   vtkWeakPointer<vtkSMProxy> Source;
   std::string Group; // of the proxy that makes the preview
   std::string Name;
-  std::string Shown; // the values that are shown
+  std::string Applied; // the values of the last UpdateVTKObjects()
+  std::string Shown;   // those of the preview
   bool IsApplied = false;
   std::unique_ptr<PreviewScene> Scene;
 };

@@ -96,7 +96,6 @@ PreviewScene::~PreviewScene()
     removeHidden(representation, view_);
   }
   this->showOthers(true);
-  view_->StillRender();
 }
 
 vtkSMRenderViewProxy* PreviewScene::view() const

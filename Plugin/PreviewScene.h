@@ -22,7 +22,7 @@ public:
   // `preview`: with the outputs of vtkMeshPreview. What the view shows of `source` and of its input is hidden until the
   // end if there is a surface in its place; their properties stay.
   PreviewScene(vtkSMSourceProxy* preview, vtkSMProxy* source, vtkSMRenderViewProxy* view);
-  ~PreviewScene();
+  ~PreviewScene(); // leaves the view to be drawn
 
   PreviewScene(const PreviewScene&) = delete;
   PreviewScene& operator=(const PreviewScene&) = delete;
