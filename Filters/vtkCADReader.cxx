@@ -4,6 +4,7 @@
 #include "Base/Error.h"
 #include "Base/Execution.h"
 #include "CadToVTK.h"
+#include "LengthUnit.h"
 
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
@@ -19,7 +20,7 @@
 namespace
 {
 
-constexpr std::array<double, 5> MillimetresInUnits{ 1000, 10, 1, 25.4, 304.8 };
+constexpr double MillimetresInMetre = 1000;
 constexpr double SmallestAngle = 1; // degrees
 constexpr double LargestAngle = 45;
 
@@ -113,7 +114,8 @@ void vtkCADReader::Check() const
 
 std::vector<std::string> vtkCADReader::Arguments() const
 {
-  const double unit = MillimetresInUnits[static_cast<std::size_t>(this->LengthUnit)] / this->Scale;
+  const double unit = MillimetresInMetre *
+    cartesian::MetresPerUnits[static_cast<std::size_t>(this->LengthUnit)] / this->Scale;
   return { this->FileName, Word(unit), Word(this->Deflection), Word(this->Angle),
     std::to_string(this->BoundaryNamesFrom), Word(this->HealTolerance),
     std::to_string(this->GlueSolids), std::to_string(this->MergeCoplanar),
@@ -144,7 +146,8 @@ int vtkCADReader::RequestData(
     {
       this->Warn(warning);
     }
-    cartesian::cadBlocks(content, blocks);
+    cartesian::cadBlocks(
+      content, cartesian::MetresPerUnits[static_cast<std::size_t>(this->LengthUnit)], blocks);
     this->Describe(content);
     this->Read->ShallowCopy(blocks);
     this->TimeOfRead.Modified();

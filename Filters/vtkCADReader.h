@@ -11,7 +11,7 @@
  * Cell arrays: BoundaryId (int), the same numbers in all blocks; BoundaryName (string); SharpEdge (unsigned char), 1 of lines,
  * 0 of triangles; OpenBody (unsigned char), 1 where faces belong to no solid. Field data of a block: BoundaryIds (int) and BoundaryNames (string), its boundaries; SolidName (string);
  * Volume and Area of the exact shape (Volume is 0 of one that is open, and where it is not known to 1e-6), VolumeOfTriangles; OpenEdges, of triangles without
- * a neighbour; Deflection, the one that was asked for, also where it is the default.
+ * a neighbour; Deflection, the one that was asked for, also where it is the default; MetresPerUnit, the length of LengthUnit.
  *
  * Open CASCADE reads the files, in a process of its own (Filters/Cad): it may crash on damaged files.
  *

@@ -7,6 +7,7 @@
 #include "Boxes/FlowRefinement.h"
 #include "DefectsToVTK.h"
 #include "ExpectedTable.h"
+#include "LengthUnit.h"
 #include "Mesher/Mesher.h"
 #include "Mesher/Messages.h"
 #include "Parts/Decomposition.h"
@@ -361,11 +362,13 @@ vtkBoundingBox vtkCartesianGridAlgorithm::BoundsOfInput()
 const char* vtkCartesianGridAlgorithm::GetSurfaceSize()
 {
   this->SurfaceSize.clear();
+  this->UnitOfInput = cartesian::metresPerUnit(this->GetInputDataObject(0, 0));
   const vtkBoundingBox box = this->BoundsOfInput();
   if (box.IsValid())
   {
     this->SurfaceSize =
-      cartesian::describeLengths({ box.GetLength(0), box.GetLength(1), box.GetLength(2) });
+      cartesian::describeLengths({ box.GetLength(0), box.GetLength(1), box.GetLength(2) }) +
+      this->NoteOfLength(box.GetMaxLength());
   }
   return this->SurfaceSize.c_str();
 }
@@ -416,11 +419,13 @@ void vtkCartesianGridAlgorithm::Expect(Estimate* estimate)
 {
   this->ExpectedTime = this->LastChange();
   this->ExpectedBoxes->Initialize();
+  this->BeginEstimate(nullptr);
   // Not read yet, or refused: the work itself will say so.
   cartesian::reportErrors(
     [&] {
       const cartesian::SurfaceFromVTK surface = this->ReadWithSides(this->GetInputDataObject(0, 0));
       const Asked asked = this->Ask(surface);
+      this->BeginEstimate(&asked.options);
       cartesian::Execution execution(this->NumberOfThreads);
       cartesian::toVTK(estimate(surface.view(), asked.options, execution), this->ExpectedBoxes);
     },
@@ -458,6 +463,7 @@ cartesian::SurfaceFromVTK vtkCartesianGridAlgorithm::Read(vtkDataObject* surface
 
 cartesian::SurfaceFromVTK vtkCartesianGridAlgorithm::ReadWithSides(vtkDataObject* data)
 {
+  this->UnitOfInput = cartesian::metresPerUnit(data);
   cartesian::SurfaceFromVTK surface = this->Read(data);
   if (const cartesian::DomainSpec domain = this->MakeOptions().domain; domain.isOutside())
   {

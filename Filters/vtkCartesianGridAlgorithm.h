@@ -279,6 +279,21 @@ protected:
   virtual cartesian::Options MakeOptions();
 
   /**
+   * What GetSurfaceSize() says of the longest side after the lengths; by default, nothing.
+   */
+  virtual std::string NoteOfLength(double /*longest*/) { return {}; }
+
+  /**
+   * Is called with all options whenever an estimate begins; null: none are known.
+   */
+  virtual void BeginEstimate(const cartesian::Options* /*options*/) {}
+
+  /**
+   * Metres in a unit of the surface, as that says (Conversion/LengthUnit.h).
+   */
+  double UnitOfInput = 1;
+
+  /**
    * Adds the options that depend on the surface's boundaries, except refinement.
    */
   virtual void AddBoundaryOptions(

@@ -10,6 +10,7 @@
 #include "FilterOptions.h"
 #include "GhostCells.h"
 #include "LayerWarning.h"
+#include "LengthUnit.h"
 #include "MeshCheck.h"
 #include "MeshCut.h"
 #include "MeshToVTK.h"
@@ -120,13 +121,26 @@ cartesian::Options vtkCartesianMesher::MakeOptions()
   options.layers.thickness = this->LayersThickness;
   options.layers.lastByBox = this->LastLayer;
   options.layers.refine = this->RefineForLayers;
-  options.layers.flow = { this->TargetYPlus, this->FlowSpeed, this->FlowViscosity,
-    this->FlowLength };
+  const double unit = this->MetresInUnit();
+  options.layers.flow = { this->TargetYPlus, this->FlowSpeed / unit,
+    this->FlowViscosity / (unit * unit), this->FlowLength };
   for (const auto& [boundary, back] : this->Baffles)
   {
     options.baffles.push_back({ boundary, back });
   }
   return options;
+}
+
+double vtkCartesianMesher::MetresInUnit() const
+{
+  return this->LengthUnit == FromInput
+    ? this->UnitOfInput
+    : cartesian::MetresPerUnits.at(static_cast<std::size_t>(this->LengthUnit - Metre));
+}
+
+std::string vtkCartesianMesher::NoteOfLength(double longest)
+{
+  return cartesian::describeLength(longest * this->MetresInUnit());
 }
 
 vtkStringArray* vtkCartesianMesher::GetFlowZones()
@@ -164,22 +178,20 @@ const char* vtkCartesianMesher::GetDomainNote()
 
 vtkStringArray* vtkCartesianMesher::GetExpectedLayers()
 {
-  this->ExpectedLayers->Initialize();
-  const vtkBoundingBox bounds = this->BoundsOfInput();
-  const cartesian::Options options = this->MakeOptions();
-  if (!bounds.IsValid() || !options.layers.any())
-  {
-    return this->ExpectedLayers;
-  }
-  // What is out of range the work itself will say.
-  cartesian::reportErrors(
-    [&] {
-      cartesian::requireValid(options.layers);
-      const auto [layers, box] = cartesian::expectedLayers(options, bounds.GetMaxLength());
-      cartesian::toVTK(layers, cartesian::totalThickness(layers, box), this->ExpectedLayers);
-    },
-    [](unsigned long, const std::string&) {});
+  this->GetExpectedBoxes();
   return this->ExpectedLayers;
+}
+
+void vtkCartesianMesher::BeginEstimate(const cartesian::Options* options)
+{
+  this->ExpectedLayers->Initialize();
+  if (options && options->layers.any())
+  {
+    cartesian::requireValid(options->layers);
+    const auto [layers, box] = cartesian::expectedLayers(*options, BoundsOf(this->BoundsOfInput()));
+    cartesian::toVTK(
+      layers, cartesian::totalThickness(layers, box), this->MetresInUnit(), this->ExpectedLayers);
+  }
 }
 
 cartesian::BoundarySettings vtkCartesianMesher::GivenBoundaries() const
@@ -563,6 +575,10 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(output, 0);
   cartesian::setRepairs(task.prepared.repair, mesh);
   cartesian::setRepairs(task.prepared.repair, vtkPolyData::GetData(output, 1));
+  if (this->MetresInUnit() != 1)
+  {
+    cartesian::setField(mesh, cartesian::MetresPerUnitField, { this->MetresInUnit() });
+  }
   if (task.options.domain.isOutside())
   {
     cartesian::setVector(mesh, "FlowDirection", cartesian::unitAlong(task.options.domain.flow));

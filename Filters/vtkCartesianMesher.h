@@ -115,9 +115,9 @@ public:
   ///@{
   /**
    * Without thicknesses: the layer at the wall is twice as thick as the distance at which y+ has this value, in the
-   * turbulent boundary layer of a flat plate (Kernel/Surface/WallFlow.h); default 0, not given. Speed, kinematic viscosity
-   * and length of the flow are in units of the surface and seconds; more than 0; default 10, 1.5e-5 and 0, the longest side
-   * of the surface.
+   * turbulent boundary layer of a flat plate (Kernel/Surface/WallFlow.h); default 0, not given. Speed and kinematic viscosity
+   * are in m/s and m2/s (see LengthUnit), more than 0, default 10 and 1.5e-5; the flow's length is in units of the surface,
+   * default 0, its longest side.
    */
   vtkSetMacro(TargetYPlus, double);
   vtkGetMacro(TargetYPlus, double);
@@ -127,6 +127,26 @@ public:
   vtkGetMacro(FlowViscosity, double);
   vtkSetMacro(FlowLength, double);
   vtkGetMacro(FlowLength, double);
+  ///@}
+
+  enum LengthUnits
+  {
+    FromInput,
+    Metre,
+    Centimetre,
+    Millimetre,
+    Inch,
+    Foot
+  };
+
+  ///@{
+  /**
+   * The unit of the surface, for the speed and viscosity of the flow. Default FromInput: the field data array MetresPerUnit
+   * of the surface or a block, which vtkCADReader writes; without that, metres. Where it is not the metre, the mesh has
+   * that array too.
+   */
+  vtkSetClampMacro(LengthUnit, int, FromInput, Foot);
+  vtkGetMacro(LengthUnit, int);
   ///@}
 
   ///@{
@@ -346,7 +366,7 @@ public:
 
   /**
    * Of the layers that are asked for: the thickness of the first one, their number and their total thickness, for boxes of
-   * the largest depth that boundaries ask for; empty without layers.
+   * the largest depth that boundaries ask for; in units of the surface and millimetres; empty without layers.
    */
   vtkStringArray* GetExpectedLayers();
 
@@ -399,6 +419,9 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   cartesian::Options MakeOptions() override;
+  double MetresInUnit() const;
+  std::string NoteOfLength(double longest) override;
+  void BeginEstimate(const cartesian::Options* options) override;
   void AddBoundaryOptions(
     const cartesian::SurfaceFromVTK& surface, cartesian::Options& options) override;
   cartesian::BoundarySettings Boundaries() const override;
@@ -415,6 +438,7 @@ protected:
   double LayersThickness = 0;
   double LastLayer = 0.1;
   bool RefineForLayers = true;
+  int LengthUnit = FromInput;
   double TargetYPlus = 0;
   double FlowSpeed = 10;
   double FlowViscosity = 1.5e-5;

@@ -103,6 +103,19 @@ void SetFaces(const cartesian::CellFaces& cells, const cartesian::FaceList& face
   AddArray<vtkIdTypeArray>(output->GetCellData(), "Neighbour", neighbour);
 }
 
+// By the cell array Layer.
+void ForgiveLayers(vtkUnstructuredGrid* grid, std::vector<std::uint32_t>& failures)
+{
+  vtkDataArray* const layers = grid->GetCellData()->GetArray("Layer");
+  for (std::size_t cell = 0; layers && cell < failures.size(); ++cell)
+  {
+    if (layers->GetComponent(static_cast<vtkIdType>(cell), 0) > 0)
+    {
+      failures[cell] &= ~cartesian::GoodInLayers;
+    }
+  }
+}
+
 void SetFailing(const std::vector<std::uint32_t>& failures, const unsigned char* ghosts,
   vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* output)
 {
@@ -157,8 +170,9 @@ int vtkFiniteVolumeQuality::RequestData(
         cartesian::Clashes::AreBoundary, execution);
     execution.stage("Quality measures", 0.5, 1);
     std::vector<double> copy;
-    const cartesian::Quality quality = cartesian::measureQuality(
+    cartesian::Quality quality = cartesian::measureQuality(
       cartesian::coordinatesOf(grid, copy), cells, list, execution, limits);
+    ForgiveLayers(grid, quality.cellFailures);
     mesh->ShallowCopy(grid);
     SetMeasures(quality.cells, quality.cellFailures, mesh->GetCellData());
     SetFaces(cells, list, grid, faces);

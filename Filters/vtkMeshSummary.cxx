@@ -37,17 +37,13 @@ void AddText(const char* name, const std::string& text, vtkTable* table)
 void SelectFailing(
   vtkUnstructuredGrid* mesh, const cartesian::MeshCheck& check, vtkUnstructuredGrid* output)
 {
-  constexpr unsigned int TooLong = 1U << cartesian::AspectRatio;
   auto* failures = vtkUnsignedIntArray::SafeDownCast(mesh->GetCellData()->GetArray("Failures"));
-  vtkDataArray* layers = mesh->GetCellData()->GetArray("Layer");
   vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
   std::vector<unsigned char> isChosen(static_cast<std::size_t>(mesh->GetNumberOfCells()));
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
     const bool isGhost = ghosts && ghosts->GetValue(cell) != 0;
-    const bool isLayer = layers && layers->GetComponent(cell, 0) > 0;
-    const unsigned int failing =
-      failures->GetValue(cell) & cartesian::FailuresForSolvers & ~(isLayer ? TooLong : 0U);
+    const unsigned int failing = failures->GetValue(cell) & cartesian::FailuresForSolvers;
     isChosen[static_cast<std::size_t>(cell)] = !isGhost && failing != 0 ? 1 : 0;
   }
   for (const vtkIdType cell : check.failing)

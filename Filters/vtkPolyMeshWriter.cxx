@@ -5,6 +5,7 @@
 #include "BoundaryOfFaces.h"
 #include "FoamFromVTK.h"
 #include "FoamPieceStore.h"
+#include "LengthUnit.h"
 #include "OpenFoam/CaseTemplates.h"
 #include "OpenFoam/FoamBoundary.h"
 #include "OpenFoam/FoamPieceRegions.h"
@@ -298,7 +299,7 @@ void vtkPolyMeshWriter::FinishPieces(vtkUnstructuredGrid* grid)
   {
     written.emplace_back(file.parent_path(), FormatOf(this->FileType),
       cartesian::FoamPlace{ static_cast<int>(i), this->Pieces });
-    WriteMeshes(load(i), regions, this->Scale, written.back());
+    WriteMeshes(load(i), regions, this->ScaleOfMesh(), written.back());
   }
   cartesian::requireSuitable(this->MakeSetup(), written.front().meshes(), FlowOf(grid));
   for (cartesian::PolyMeshFiles& files : written)
@@ -349,7 +350,7 @@ void vtkPolyMeshWriter::WriteOwnPiece(vtkUnstructuredGrid* grid)
     {
       Join(regions, cartesian::regionLabels(numbers));
     }
-    WriteMeshes(std::move(complete), regions, this->Scale, files);
+    WriteMeshes(std::move(complete), regions, this->ScaleOfMesh(), files);
     cartesian::requireSuitable(this->MakeSetup(), files.meshes(), FlowOf(grid));
   });
   OnAll(processes, [&] {
@@ -367,7 +368,7 @@ void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
   this->CheckNumbers();
   const std::filesystem::path file = this->FileName;
   cartesian::PolyMeshFiles files(file.parent_path(), FormatOf(this->FileType));
-  Enlarge(whole.mesh.points, this->Scale);
+  Enlarge(whole.mesh.points, this->ScaleOfMesh());
   const cartesian::FoamRegions& regions = whole.regions;
   cartesian::Execution execution(0);
   if (regions.names.empty() && !this->ZoneRegions.empty())
@@ -400,6 +401,11 @@ void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
   this->WriteSolverCase(files, &whole.mesh, grid);
 }
 
+double vtkPolyMeshWriter::ScaleOfMesh()
+{
+  return this->Scale > 0 ? this->Scale : cartesian::metresPerUnit(this->GetInput());
+}
+
 // Without a speed or viscosity: those that the mesh's layers were made for, if they were.
 cartesian::SolverSetup vtkPolyMeshWriter::MakeSetup()
 {
@@ -408,13 +414,13 @@ cartesian::SolverSetup vtkPolyMeshWriter::MakeSetup()
     vtkDataArray* array = mesh ? mesh->GetFieldData()->GetArray(name) : nullptr;
     return array ? array->GetComponent(0, 0) * scale : initial;
   };
+  const double scale = this->ScaleOfMesh();
   cartesian::SolverSetup setup;
   setup.solver = static_cast<cartesian::Solver>(this->SolverSetup);
   setup.turbulence = static_cast<cartesian::Turbulence>(this->Turbulence);
-  setup.speed = this->Speed == 0 ? ofMesh("FlowSpeed", this->Scale, setup.speed) : this->Speed;
-  setup.viscosity = this->Viscosity == 0
-    ? ofMesh("FlowViscosity", this->Scale * this->Scale, setup.viscosity)
-    : this->Viscosity;
+  setup.speed = this->Speed == 0 ? ofMesh("FlowSpeed", scale, setup.speed) : this->Speed;
+  setup.viscosity = this->Viscosity == 0 ? ofMesh("FlowViscosity", scale * scale, setup.viscosity)
+                                         : this->Viscosity;
   setup.temperature = this->InletTemperature;
   if (this->Iterations != 0)
   {
@@ -457,7 +463,7 @@ void vtkPolyMeshWriter::WriteSolverCase(const cartesian::PolyMeshFiles& files,
 
 void vtkPolyMeshWriter::CheckNumbers()
 {
-  cartesian::requireInRange(cartesian::moreThan(0), this->Scale, "Scale");
+  cartesian::requireInRange(cartesian::Range{ 0 }, this->Scale, "Scale");
   if (this->SolverSetup != None)
   {
     const cartesian::SolverSetup setup = this->MakeSetup();

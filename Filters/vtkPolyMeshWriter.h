@@ -126,7 +126,8 @@ public:
 
   ///@{
   /**
-   * Factor for coordinates: the length of a surface unit in metres, which OpenFOAM expects. More than 0, default 1.
+   * Factor for coordinates: the length of a surface unit in metres, which OpenFOAM expects. 0, the default: what the mesh
+   * says (field data MetresPerUnit), or 1.
    */
   vtkSetMacro(Scale, double);
   vtkGetMacro(Scale, double);
@@ -205,7 +206,7 @@ protected:
   std::vector<std::string> ZoneRegions;
   int ZoneBorders = FaceZones;
   int Pieces = 1;
-  double Scale = 1;
+  double Scale = 0;
   int SolverSetup = None;
   int Turbulence = 0;
   double Speed = 0;
@@ -229,6 +230,7 @@ private:
 
   void CheckDecomposition(int processes);
   void CheckNumbers();
+  double ScaleOfMesh(); // Scale, or what 0 stands for
   cartesian::SolverSetup MakeSetup();
   void WriteSolverCase(const cartesian::PolyMeshFiles& files, const cartesian::FoamMesh* whole,
     vtkUnstructuredGrid* grid);

@@ -105,6 +105,12 @@ void addSurface(std::vector<TaskTable>& tables, vtkSMProxy* mesher, const std::s
   {
     entries.emplace(entries.begin(), "names", list(names));
   }
+  // A task with a target y+ and no unit is older than units.
+  if (vtkSMPropertyHelper(mesher, "TargetYPlus").GetAsDouble() > 0 &&
+    vtkSMPropertyHelper(mesher, "LengthUnit").GetAsInt() == 0)
+  {
+    entries.emplace_back("length_unit", tomlText("From Input"));
+  }
   entries.emplace(entries.begin(), "file", areBlocks ? list(paths) : tomlText(paths.front()));
   tables.insert(tables.end(), splits.begin(), splits.end());
 }

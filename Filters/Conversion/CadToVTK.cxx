@@ -3,6 +3,7 @@
 
 #include "BoundaryNames.h"
 #include "FieldData.h"
+#include "LengthUnit.h"
 #include "SurfaceFromVTK.h"
 
 #include "vtkCellArray.h"
@@ -100,7 +101,7 @@ void setFieldData(const CadSolid& solid, const std::vector<std::string>& names, 
 
 }
 
-void cadBlocks(const CadContent& content, vtkMultiBlockDataSet* blocks)
+void cadBlocks(const CadContent& content, double metresPerUnit, vtkMultiBlockDataSet* blocks)
 {
   for (const CadSolid& solid : content.solids)
   {
@@ -110,6 +111,7 @@ void cadBlocks(const CadContent& content, vtkMultiBlockDataSet* blocks)
     block->SetPolys(cellsOf(solid.triangles, 3));
     setCellData(solid, content.boundaries, block);
     setFieldData(solid, content.boundaries, block);
+    setField(block, MetresPerUnitField, { metresPerUnit });
     const unsigned int number = blocks->GetNumberOfBlocks();
     blocks->SetBlock(number, block);
     blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), solid.name.c_str());

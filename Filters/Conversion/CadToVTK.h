@@ -10,6 +10,6 @@ namespace cartesian
 {
 
 // Fills `blocks` as vtkCADReader.h says.
-void cadBlocks(const CadContent& content, vtkMultiBlockDataSet* blocks);
+void cadBlocks(const CadContent& content, double metresPerUnit, vtkMultiBlockDataSet* blocks);
 
 }

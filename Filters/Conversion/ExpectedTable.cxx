@@ -19,6 +19,12 @@ constexpr int Digits = 2;
 constexpr const char* Arrow = "\u2192 ";
 constexpr const char* Length = "%.4g";
 
+constexpr double MillimetresInMetre = 1000;
+
+// Of surfaces that are more often in another unit than so small or large.
+constexpr double Smallest = 0.01;
+constexpr double Largest = 1000;
+
 std::string inText(double value, const char* format)
 {
   std::array<char, 32> text;
@@ -95,15 +101,19 @@ void toVTK(const FlowRefinement& flow, vtkStringArray* table)
   }
 }
 
-void toVTK(const WallLayerSpec& layers, double total, vtkStringArray* table)
+void toVTK(const WallLayerSpec& layers, double total, double metresPerUnit, vtkStringArray* table)
 {
+  const auto thickness = [&](double length) {
+    return inText(length, Length) + " (" +
+      inText(length * metresPerUnit * MillimetresInMetre, Length) + " mm)";
+  };
   for (const char* column : { "First layer", "Layers", "Together" })
   {
     table->InsertNextValue(column);
   }
-  table->InsertNextValue(inText(total * heightsOfLayers(layers)[1], Length));
+  table->InsertNextValue(thickness(total * heightsOfLayers(layers)[1]));
   table->InsertNextValue(std::to_string(layers.count));
-  table->InsertNextValue(inText(total, Length));
+  table->InsertNextValue(thickness(total));
 }
 
 std::string describeLengths(const std::array<double, 3>& lengths)
@@ -111,6 +121,12 @@ std::string describeLengths(const std::array<double, 3>& lengths)
   constexpr const char* Times = " \u00d7 ";
   return inText(lengths[0], Length) + Times + inText(lengths[1], Length) + Times +
     inText(lengths[2], Length);
+}
+
+std::string describeLength(double metres)
+{
+  const std::string length = ": " + inText(metres, Length) + " m long";
+  return metres < Smallest || metres > Largest ? length + ". Is Length Unit right?" : length;
 }
 
 }

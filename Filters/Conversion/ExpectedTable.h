@@ -22,11 +22,14 @@ void toVTK(const std::vector<ExpectedRow>& rows, vtkStringArray* table);
 // column titles.
 void toVTK(const FlowRefinement& flow, vtkStringArray* table);
 
-// Appends three texts a row: thickness of the first layer, number of layers, their thickness together. The first row has
-// the column titles.
-void toVTK(const WallLayerSpec& layers, double total, vtkStringArray* table);
+// Appends three texts a row: thickness of the first layer, number of layers, their thickness together, in the surface's unit
+// and in millimetres. The first row has the column titles.
+void toVTK(const WallLayerSpec& layers, double total, double metresPerUnit, vtkStringArray* table);
 
 // Along x, y and z.
 std::string describeLengths(const std::array<double, 3>& lengths);
+
+// Of a surface's longest side; with a question below a centimetre and above a kilometre.
+std::string describeLength(double metres);
 
 }

@@ -110,6 +110,7 @@ void printLayerProperties(Filter* filter, ostream& os, vtkIndent indent)
   os << indent << "LayerExpansionRatio: " << filter->GetLayerExpansionRatio() << "\n";
   os << indent << "FirstLayerThickness: " << filter->GetFirstLayerThickness() << "\n";
   os << indent << "TargetYPlus: " << filter->GetTargetYPlus() << "\n";
+  os << indent << "LengthUnit: " << filter->GetLengthUnit() << "\n";
   os << indent << "FlowSpeed: " << filter->GetFlowSpeed() << "\n";
   os << indent << "FlowViscosity: " << filter->GetFlowViscosity() << "\n";
   os << indent << "FlowLength: " << filter->GetFlowLength() << "\n";

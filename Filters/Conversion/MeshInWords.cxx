@@ -98,16 +98,16 @@ bool worstPlace(vtkUnstructuredGrid* mesh, const MeasureSpec& spec, Place& worst
 // Failures in words, the worst for a solver first.
 constexpr std::array<Told, 12> WhatFails{ {
   { "Volume", "No volume" },
-  { "Openness", "Faces that do not close the cell" },
+  { "Openness", "Open: the faces do not close the cell" },
   { "OpenEdges", "Open edges" },
-  { "BoundaryAngle", "An inverted boundary face" },
-  { "InnerAngle", "An inner face tilted by 75 degrees or more" },
-  { "Skewness", "Very skew" },
-  { "NonOrthogonality", "Very non-orthogonal, for limited schemes" },
-  { "AspectRatio", "Very long" },
-  { "FaceWeight", "A neighbour much nearer to a face (weight)" },
-  { "VolumeRatio", "A neighbour of very different volume" },
-  { "Determinant", "Inner faces in fewer than three directions" },
+  { "BoundaryAngle", "Face pyramid: a boundary face is inverted" },
+  { "InnerAngle", "Face pyramid: an inner face is tilted by 75 degrees or more" },
+  { "Skewness", "Skewness" },
+  { "NonOrthogonality", "Non-orthogonality, for limited schemes" },
+  { "AspectRatio", "Aspect ratio" },
+  { "FaceWeight", "Face weight: a neighbour is much nearer to the face" },
+  { "VolumeRatio", "Volume ratio of two neighbours" },
+  { "Determinant", "Cell determinant: inner faces in fewer than three directions" },
   { "StarTriangulation", "A face that is not star-shaped" },
 } };
 
@@ -121,6 +121,16 @@ double sum(double mine)
     processes->AllReduce(&mine, &sum, 1, vtkCommunicator::SUM_OP);
   }
   return sum;
+}
+
+bool isGoodInLayers(const std::string& measure)
+{
+  bool isGood = false;
+  for (std::size_t m = 0; m < MeasureCount; ++m)
+  {
+    isGood = isGood || ((GoodInLayers >> m & 1U) != 0 && measure == MeasureSpecs[m].name);
+  }
+  return isGood;
 }
 
 std::string cellCount(double count)
@@ -156,7 +166,6 @@ void tellFindings(const MeshCheck& check, std::ostream& text)
 void tellVerdict(vtkUnstructuredGrid* mesh, const MeshCheck& check, std::ostream& text)
 {
   const double refused = sum(static_cast<double>(check.failing.size()));
-  const double longLayers = sum(static_cast<double>(check.sum()[LongLayers]));
   if (field(mesh, "Cells") == 0) // it could not be measured
   {
     return;
@@ -166,10 +175,7 @@ void tellVerdict(vtkUnstructuredGrid* mesh, const MeshCheck& check, std::ostream
   bool any = false;
   for (const Told& told : WhatFails)
   {
-    // Long prisms are good cells.
-    const double good = std::string(told.field) == "AspectRatio" ? longLayers : 0;
-    if (const double failing = field(mesh, std::string(told.field) + "Failures") - good;
-        failing > 0)
+    if (const double failing = field(mesh, std::string(told.field) + "Failures"); failing > 0)
     {
       text << "  " << told.text << ": " << cellCount(failing) << "\n";
       any = true;
@@ -337,10 +343,13 @@ std::vector<vtkIdType> rankedCells(vtkUnstructuredGrid* mesh, const MeasureSpec&
 {
   vtkDataArray* values = mesh->GetCellData()->GetArray(spec.name);
   vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  vtkDataArray* const layers =
+    isGoodInLayers(spec.name) ? mesh->GetCellData()->GetArray("Layer") : nullptr;
   std::vector<vtkIdType> cells;
   for (vtkIdType cell = 0; values && cell < values->GetNumberOfTuples(); ++cell)
   {
-    if (!std::isnan(values->GetComponent(cell, 0)) && !(ghosts && ghosts->GetValue(cell) != 0))
+    if (!std::isnan(values->GetComponent(cell, 0)) && !(ghosts && ghosts->GetValue(cell) != 0) &&
+      !(layers && layers->GetComponent(cell, 0) > 0))
     {
       cells.push_back(cell);
     }

@@ -38,7 +38,8 @@ struct MeshInWords
 // `mesh`: with the arrays of vtkFiniteVolumeQuality. All processes must call this, each with its part; the words are of all.
 MeshInWords inWords(vtkUnstructuredGrid* mesh, const MeshCheck& check);
 
-// Of the cells of this process, the worst first; ghosts and cells without a value do not count.
+// Of the cells of this process, the worst first; ghosts, cells without a value and, for what does them no harm, those of layers
+// do not count.
 std::vector<vtkIdType> rankedCells(vtkUnstructuredGrid* mesh, const MeasureSpec& spec);
 
 }

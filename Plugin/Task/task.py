@@ -361,6 +361,8 @@ def read_task(path):
         case["CaseTemplates"] = str(reader.path.absolute().parent / case["CaseTemplates"])
     for of in rows:
         properties |= reader.collection(content.get(of.key, []), of)
+    if properties.get("TargetYPlus"):  # as before there were units
+        properties.setdefault("LengthUnit", "Metre")
     surfaces = []
     if "file" in known["surface"]:
         surfaces = reader.files(known["surface"]["file"], ("surface", "file"), exist=True)

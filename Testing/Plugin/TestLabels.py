@@ -15,7 +15,7 @@ patches = {"PatchMethod": "Automatic", "FeatureAngle": 30.0, "MergeAngle": 10.0,
 cells = {"CollapseRatio": 0.1, "SmallCells": "Merge", "MergeRatio": 0.3, "SmallCellRatio": 0.001,
          "SplitConcaveCells": 1, "TrueVolume": 1, "OptimiseNodes": 1, "RefusedCellRatio": 4}
 layers = {"Layers": 0, "LayerExpansionRatio": 1.2, "FirstLayerThickness": 0.0, "LayersThickness": 0.0,
-          "LastLayer": 0.1, "RefineForLayers": 1, "TargetYPlus": 0.0, "FlowSpeed": 10.0, "FlowViscosity": 1.5e-5, "FlowLength": 0.0,
+          "LastLayer": 0.1, "RefineForLayers": 1, "TargetYPlus": 0.0, "LengthUnit": "From Input", "FlowSpeed": 10.0, "FlowViscosity": 1.5e-5, "FlowLength": 0.0,
           "LayerRegions": [], "CellBudget": 0, "BoundaryLayersThickness": [],
           "BoundaryMergedNames": []}
 settings = {"BoundaryNames": [], "BoundaryTypes": [], "BoundarySmallCellRatios": []}
@@ -102,7 +102,7 @@ for proxy, names in (
 
 writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
-case = {"FileType": "Binary", "RegionsAs": "Meshes", "ZoneRegions": [], "ZoneBorders": "Face Zones", "Pieces": 1, "Scale": 1,
+case = {"FileType": "Binary", "RegionsAs": "Meshes", "ZoneRegions": [], "ZoneBorders": "Face Zones", "Pieces": 1, "Scale": 0,
         "SolverSetup": "None", "Turbulence": "kOmegaSST", "Speed": 0, "Viscosity": 0, "InletTemperature": 350,
         "Iterations": 0, "OverwriteSetup": 0, "CaseTemplates": ""}
 assert sorted(writer.ListProperties()) == sorted(["FileName", "Input", "NamesOfRegions", *case])

@@ -19,7 +19,7 @@ from template import template  # noqa: E402
 PRINT_OPTIONS = sys.argv[3]
 PROXIES = ("CartesianBoxer", "Patcher", "CellAssembler", "CartesianMesher", "SurfaceInspector",
            "FiniteVolumeQuality", "RefinementRegion")
-ONLY_IN_FILTERS = {"InPieces"}
+ONLY_IN_FILTERS = {"LengthUnit", "InPieces"}
 
 options = {option["name"].replace(" ", ""): option
     for option in json.loads(subprocess.check_output([PRINT_OPTIONS], text=True))}

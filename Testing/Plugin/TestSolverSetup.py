@@ -195,7 +195,7 @@ for pieces in 1, 2:
     assert not list((root / "closed").iterdir()), list((root / "closed").iterdir())
     expect_refusal(duct, root / "closed", "Speed is -1: it must be more than 0.", Speed=-1, Pieces=pieces)
     expect_refusal(duct, root / "closed", "Viscosity is -1: it must be more than 0.", Viscosity=-1, Pieces=pieces)
-    expect_refusal(duct, root / "closed", "Scale is 0: it must be more than 0.", Scale=0, Pieces=pieces)
+    expect_refusal(duct, root / "closed", "Scale is -1: it must be 0 or more.", Scale=-1, Pieces=pieces)
     assert not list((root / "closed").iterdir()), list((root / "closed").iterdir())
 expect_refusal(closed, root / "duct", "no boundary is an inlet")
 assert "inlet" in (root / "duct/constant/polyMesh/boundary").read_text()

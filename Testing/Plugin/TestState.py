@@ -68,13 +68,13 @@ with tempfile.TemporaryDirectory() as folder:
     # A state from before properties were there keeps the mesh that it had.
     simple.ResetSession()
     text = state.read_text()
-    for name in "SideNames", "BoxesAlongBody", "TransitionLayers":
+    for name in "SideNames", "BoxesAlongBody", "TransitionLayers", "LengthUnit":
         text, found = re.subn(rf'<Property name="{name}".*?</Property>', "", text, flags=re.S)
         assert found >= 1, name
     state.write_text(text)
     simple.LoadState(str(state))
     mesher = simple.FindSource("CartesianMesher")
-    assert (mesher.SideNames, mesher.BoxesAlongBody, mesher.TransitionLayers) == ("Axes", 0, 1), mesher.SideNames
+    assert (mesher.SideNames, mesher.BoxesAlongBody, mesher.TransitionLayers, mesher.LengthUnit) == ("Axes", 0, 1, "Metre"), mesher.SideNames
     assert simple.FindSource("CartesianBoxer").TransitionLayers == 1
 
     # Refined Boundaries become rows of the table of boundaries, unless it has patterns.

@@ -212,7 +212,7 @@ ExpectedMesh expected(
     boxes.intersected = looked.intersected;
     boxes.all = looked.all;
   }
-  const WallLayerSpec layers = expectedLayers(options, boundsOf(surface).longest()).spec;
+  const WallLayerSpec layers = expectedLayers(options, boundsOf(surface)).spec;
   ExpectedMesh mesh;
   mesh.size = options.grid.cellSize;
   mesh.boxes = std::max(1.0, std::round(boxes.all));
@@ -226,6 +226,24 @@ ExpectedMesh expected(
   return mesh;
 }
 
+// The shortest mean distance of planes.
+double sizeOfBoxes(const Options& options, const Bounds& surface)
+{
+  const double usual = options.grid.cellSize > 0
+    ? options.grid.cellSize
+    : (options.domain.isOutside() ? boxAround(options.domain, surface) : surface).longest() /
+      DefaultCellsAlongLongest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<double>& lines : options.grid.meshlines)
+  {
+    const double size = lines.size() > 1
+      ? (lines.back() - lines.front()) / static_cast<double>(lines.size() - 1)
+      : usual;
+    least = std::min(least, size);
+  }
+  return least;
+}
+
 double sizeOrDefault(const Options& options, const Areas& areas)
 {
   return options.grid.cellSize > 0 ? options.grid.cellSize
@@ -234,15 +252,15 @@ double sizeOrDefault(const Options& options, const Areas& areas)
 
 }
 
-ExpectedLayers expectedLayers(const Options& options, double longestSide)
+ExpectedLayers expectedLayers(const Options& options, const Bounds& surface)
 {
   int depth = options.refinement.depth;
   for (const BoundaryRefinement& row : options.refinement.boundaries)
   {
     depth = std::max(depth, row.depth);
   }
-  const double box = std::ldexp(options.grid.cellSize, -depth);
-  return { withNumber(forFlow(options.layers, longestSide), box), box };
+  const double box = std::ldexp(sizeOfBoxes(options, surface), -depth);
+  return { withNumber(forFlow(options.layers, surface.longest()), box), box };
 }
 
 ExpectedMesh expectedMesh(const SurfaceView& surface, const Options& options, Execution& execution)

@@ -19,14 +19,14 @@ struct ExpectedMesh
   double bytes = 0; // that are taken at the peak
 };
 
-// With their number and first thickness, beside boxes of the largest depth that boundaries ask for. `longestSide`: of the
-// surface, in user units.
+// With their number and first thickness, beside boxes of the largest depth that boundaries ask for. `surface`: its bounds, in
+// user units.
 struct ExpectedLayers
 {
   WallLayerSpec spec;
   double box; // beside them
 };
-ExpectedLayers expectedLayers(const Options& options, double longestSide);
+ExpectedLayers expectedLayers(const Options& options, const Bounds& surface);
 
 // For the grid with all refinement and layers in the options. If only areas of the surface matter, they suffice; else
 // the boxes are made, unless there are far too many. Throws Error: EmptySurface,
