@@ -69,12 +69,23 @@ public:
     {
       source->GetProperty(property)->AddObserver(vtkCommand::UncheckedPropertyModifiedEvent, this);
     }
+    this->Sent.note(source);
+    source->AddObserver(vtkCommand::UpdateEvent, this);
     observeSelections(source->GetSessionProxyManager(), this);
   }
 
   void Execute(vtkObject* caller, unsigned long event, void* /*data*/) override
   {
     vtkSMProxy* source = this->Source;
+    if (event == vtkCommand::UpdateEvent)
+    {
+      this->Sent.note(source);
+      return;
+    }
+    if (event == vtkCommand::UncheckedPropertyModifiedEvent && source && !this->Sent.areAll(source))
+    {
+      return;
+    }
     const WithoutUndo withoutUndo;
     if (source && !this->IsBusy && !source->GetSessionProxyManager()->GetInLoadXMLState())
     {
@@ -180,6 +191,7 @@ private:
   std::string Group; // of the proxy that knows the box around the surface
   std::string Name;
   Values Default; // of the bounds
+  SentValues Sent;
   bool IsBusy = false;
   vtkSmartPointer<vtkSMProxy> Widget;
   vtkWeakPointer<vtkSMRenderViewProxy> View; // that has the widget

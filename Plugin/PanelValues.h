@@ -21,4 +21,19 @@ std::string textOf(vtkSMProxy* proxy, bool inPanel);
 // Gives another proxy, which has the same properties, the values in the panel.
 void takeFromPanel(vtkSMProxy* source, vtkSMProxy* other);
 
+// Apply sets the values of a source one by one and sends them after the last: what is drawn in between would update it with
+// some of them.
+class SentValues
+{
+public:
+  void note(vtkSMProxy* source)
+  {
+    text_ = textOf(source, false);
+  } // when they are sent (vtkCommand::UpdateEvent)
+  bool areAll(vtkSMProxy* source) const { return textOf(source, false) == text_; }
+
+private:
+  std::string text_;
+};
+
 }

@@ -44,19 +44,18 @@ public:
     source->AddObserver(vtkCommand::UpdateEvent, this);
     source->AddObserver(vtkCommand::UpdateDataEvent, this);
     observeSelections(source->GetSessionProxyManager(), this);
-    this->Applied = textOf(source, false);
+    this->Sent.note(source);
     this->IsApplied = source->GetSessionProxyManager()->GetInLoadXMLState();
   }
 
   void Execute(vtkObject* caller, unsigned long event, void* /*data*/) override
   {
-    // Values are applied one by one: what is drawn between the first and the last would be meshed with some of them.
     if (event == vtkCommand::UpdateEvent)
     {
-      this->Applied = textOf(this->Source, false);
+      this->Sent.note(this->Source);
     }
     if (event == vtkCommand::UncheckedPropertyModifiedEvent && this->Source &&
-      textOf(this->Source, false) != this->Applied)
+      !this->Sent.areAll(this->Source))
     {
       return;
     }
@@ -123,8 +122,8 @@ private:
   vtkWeakPointer<vtkSMProxy> Source;
   std::string Group; // of the proxy that makes the preview
   std::string Name;
-  std::string Applied; // the values of the last UpdateVTKObjects()
-  std::string Shown;   // those of the preview
+  SentValues Sent;
+  std::string Shown; // the values of the preview
   bool IsApplied = false;
   std::unique_ptr<PreviewScene> Scene;
 };

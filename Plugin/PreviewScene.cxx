@@ -5,6 +5,7 @@
 
 #include "vtkClientServerStream.h"
 #include "vtkDataObject.h"
+#include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
@@ -119,11 +120,11 @@ vtkSMProxy* PreviewScene::add(const char* name, int port)
 
 void PreviewScene::addSurface()
 {
-  vtkSMProxy* surface = this->add("GeometryRepresentation", Surface);
-  vtkSMPropertyHelper(surface, "ColorArrayName")
+  surface_ = this->add("GeometryRepresentation", Surface);
+  vtkSMPropertyHelper(surface_, "ColorArrayName")
     .SetInputArrayToProcess(vtkDataObject::CELL, DepthArray);
-  vtkSMPropertyHelper(surface, "LookupTable").Set(colours_);
-  addHidden(surface, view_);
+  vtkSMPropertyHelper(surface_, "LookupTable").Set(colours_);
+  addHidden(surface_, view_);
 }
 
 void PreviewScene::addDomain()
@@ -225,11 +226,23 @@ bool PreviewScene::has(int output) const
   return preview_->GetDataInformation(static_cast<unsigned int>(output))->GetNumberOfCells() > 0;
 }
 
+bool PreviewScene::hasSeveralDepths() const
+{
+  vtkPVArrayInformation* const depths =
+    preview_->GetDataInformation(Surface)->GetArrayInformation(DepthArray, vtkDataObject::CELL);
+  const double* const range = depths ? depths->GetComponentRange(0) : nullptr;
+  return range && range[0] < range[1];
+}
+
 void PreviewScene::draw()
 {
   preview_->UpdatePipeline();
   this->nameSizes();
-  this->showOthers(!this->has(Surface));
+  // All in one colour would hide those of boundaries, which tables of these are filled in by.
+  const bool several = this->hasSeveralDepths();
+  set(surface_, "Visibility", several ? 1 : 0);
+  surface_->UpdateVTKObjects();
+  this->showOthers(!several);
   // A flow domain is much larger than what was in view.
   const bool isNew = this->has(Domain) && !hadDomain_;
   hadDomain_ = this->has(Domain);

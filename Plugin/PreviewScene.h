@@ -20,7 +20,7 @@ class PreviewScene
 {
 public:
   // `preview`: with the outputs of vtkMeshPreview. What the view shows of `source` and of its input is hidden until the
-  // end if there is a surface in its place; their properties stay.
+  // end while a surface with boxes of several sizes is in its place; their properties stay.
   PreviewScene(vtkSMSourceProxy* preview, vtkSMProxy* source, vtkSMRenderViewProxy* view);
   ~PreviewScene(); // leaves the view to be drawn
 
@@ -43,12 +43,14 @@ private:
   void showOthers(bool shown);
   void nameSizes();
   bool has(int output) const;
+  bool hasSeveralDepths() const;
 
   vtkSmartPointer<vtkSMSourceProxy> preview_;
   vtkWeakPointer<vtkSMProxy> source_;
   vtkWeakPointer<vtkSMRenderViewProxy> view_;
   vtkSmartPointer<vtkSMProxy> colours_; // of depths
   vtkSmartPointer<vtkSMProxy> legend_;
+  vtkSmartPointer<vtkSMProxy> surface_;
   std::vector<vtkSmartPointer<vtkSMProxy>> representations_;
   bool hadDomain_ = false;
 };

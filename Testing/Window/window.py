@@ -18,6 +18,7 @@ class Screen:
 
     def __init__(self, width=1500, height=1200):
         self.size = f"{width}x{height}"
+        self.variables = {}  # of the environment
 
     def __enter__(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="window"))
@@ -36,7 +37,7 @@ class Screen:
 
     def environment(self):
         return os.environ | {"DISPLAY": self.display, "HOME": str(self.folder),
-            "XDG_RUNTIME_DIR": str(self.folder), "QT_QPA_PLATFORM": "xcb"}
+            "XDG_RUNTIME_DIR": str(self.folder), "QT_QPA_PLATFORM": "xcb"} | self.variables
 
     def paraview(self, *arguments):
         """The window, started; `geometry` fills the screen: there is no window manager."""
