@@ -30,7 +30,6 @@ namespace cartesian
 namespace
 {
 
-constexpr double OpacityOfSides = 0.15;
 constexpr double LineWidthOfDefects = 4;
 constexpr double ColourOfEdges = 0.25;
 
@@ -64,7 +63,8 @@ std::string inWords(const std::string& name)
   return words;
 }
 
-// The names of the sides of the box, if a source meshes the space around bodies.
+// The names of the sides of the box through which one looks at the bodies, if a source meshes the space around these: the outline
+// shows the box. On ground and plane of symmetry the mesh is seen behind them.
 std::set<std::string> sidesOf(vtkSMProxy* source)
 {
   if (!source->GetProperty("Domain") || vtkSMPropertyHelper(source, "Domain").GetAsInt() != 1)
@@ -73,7 +73,7 @@ std::set<std::string> sidesOf(vtkSMProxy* source)
   }
   return vtkSMPropertyHelper(source, "SideNames").GetAsInt() == 0
     ? std::set<std::string>{ "xMin", "xMax", "yMin", "yMax", "zMin", "zMax" }
-    : std::set<std::string>{ "inlet", "outlet", "ground", "symmetry", "sides" };
+    : std::set<std::string>{ "inlet", "outlet", "sides" };
 }
 
 // That of a name RRGGBB, which a boundary has by its colour in a CAD file.
@@ -190,7 +190,7 @@ void addCategories(vtkSMProxy* colours, const std::vector<Category>& categories,
     }
     const bool side = sides.count(category.value) == 1;
     hasSides = hasSides || side;
-    opacities.Set(n, side ? OpacityOfSides : 1);
+    opacities.Set(n, side ? 0 : 1);
     known.push_back(category.value);
   }
   vtkSMPropertyHelper(colours, "IndexedLookup").Set(1);
