@@ -2,7 +2,9 @@
 #include "FirstView.h"
 
 #include "Base/Palette.h"
+#include "Base/Words.h"
 #include "PortHints.h"
+#include "Quality/QualityMeasures.h"
 #include "Registration.h"
 
 #include "vtkCommand.h"
@@ -10,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyIterator.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionManager.h"
@@ -18,6 +21,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -154,6 +158,31 @@ void completeColours(vtkSMProxy* colours)
   }
 }
 
+// That of the n-th category, unless another has it since categories went: then the first that is free.
+Colour newColour(const vtkSMPropertyHelper& indexed, unsigned int n, bool areDefects)
+{
+  constexpr double Alike = 1e-3; // ParaView rounds them
+  const auto isFree = [&](const Colour& rgb) {
+    bool isNew = true;
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      bool isSame = true;
+      for (unsigned int c = 0; c < 3; ++c)
+      {
+        isSame = isSame && std::abs(indexed.GetAsDouble(3 * i + c) - rgb[c]) < Alike;
+      }
+      isNew = isNew && !isSame;
+    }
+    return isNew;
+  };
+  std::size_t k = isFree(colour(n, areDefects)) ? n : 0;
+  while (k < n && !isFree(colour(k, areDefects)))
+  {
+    ++k;
+  }
+  return colour(k, areDefects);
+}
+
 // Two meshes share the colours of an array: those that are not there yet are added, and names are the last ones.
 void addCategories(vtkSMProxy* colours, const std::vector<Category>& categories,
   const std::set<std::string>& sides = {}, bool areDefects = false)
@@ -183,7 +212,7 @@ void addCategories(vtkSMProxy* colours, const std::vector<Category>& categories,
     const auto n = static_cast<unsigned int>(known.size());
     annotations.Set(2 * n, category.value.c_str());
     annotations.Set(2 * n + 1, category.name.c_str());
-    const Colour rgb = colourCalled(category.name).value_or(colour(n, areDefects));
+    const Colour rgb = colourCalled(category.name).value_or(newColour(indexed, n, areDefects));
     for (unsigned int c = 0; c < 3; ++c)
     {
       indexed.Set(3 * n + c, rgb[c]);
@@ -199,6 +228,57 @@ void addCategories(vtkSMProxy* colours, const std::vector<Category>& categories,
   {
     vtkSMPropertyHelper(colours, "EnableOpacityMapping").Set(1);
   }
+  colours->UpdateVTKObjects();
+}
+
+// Values of an array that any source has now.
+std::set<std::string> valuesOfAll(const std::string& array, vtkSMSessionProxyManager* proxies)
+{
+  std::set<std::string> values;
+  vtkNew<vtkSMProxyIterator> sources;
+  sources->SetSessionProxyManager(proxies);
+  sources->SetModeToOneGroup();
+  for (sources->Begin("sources"); !sources->IsAtEnd(); sources->Next())
+  {
+    if (sources->GetProxy()->GetProperty("LegendInfo"))
+    {
+      for (const Category& category : categoriesOf(sources->GetProxy(), array))
+      {
+        values.insert(category.value);
+      }
+    }
+  }
+  return values;
+}
+
+// The colours of others stay as they are.
+void removeCategories(vtkSMProxy* colours, const std::set<std::string>& gone)
+{
+  vtkSMPropertyHelper annotations(colours, "Annotations");
+  vtkSMPropertyHelper indexed(colours, "IndexedColors");
+  vtkSMPropertyHelper opacities(colours, "IndexedOpacities", true);
+  unsigned int kept = 0;
+  const unsigned int all = annotations.GetNumberOfElements() / 2;
+  for (unsigned int i = 0; i < all; ++i)
+  {
+    if (gone.count(annotations.GetAsString(2 * i)) == 1)
+    {
+      continue;
+    }
+    for (unsigned int k = 0; k < 2 && kept < i; ++k)
+    {
+      annotations.Set(2 * kept + k, std::string(annotations.GetAsString(2 * i + k)).c_str());
+    }
+    for (unsigned int c = 0; c < 3; ++c)
+    {
+      indexed.Set(3 * kept + c, indexed.GetAsDouble(3 * i + c));
+    }
+    opacities.Set(kept, i < opacities.GetNumberOfElements() ? opacities.GetAsDouble(i) : 1);
+    ++kept;
+  }
+  annotations.SetNumberOfElements(2 * kept);
+  indexed.SetNumberOfElements(3 * kept);
+  opacities.SetNumberOfElements(kept);
   colours->UpdateVTKObjects();
 }
 
@@ -260,6 +340,19 @@ void prepare(vtkSMProxy* representation)
   }
 }
 
+bool isMeasure(const std::string& array)
+{
+  return array == "RefinementLevel" ||
+    std::any_of(MeasureSpecs.begin(), MeasureSpecs.end(),
+      [&](const MeasureSpec& spec) { return array == spec.name; });
+}
+
+// In words; BoundaryName: Boundary.
+std::string titleOf(const std::string& array)
+{
+  return wordsOf(array.substr(0, array.rfind("Name")));
+}
+
 // A legend of names: small where there are many.
 void prepareLegend(vtkSMProxy* legend)
 {
@@ -269,6 +362,14 @@ void prepareLegend(vtkSMProxy* legend)
     colours && std::any_of(std::begin(Arrays), std::end(Arrays), [&](const char* array) {
       return proxies->GetProxy(ColoursGroup, nameOfColours(array).c_str()) == colours;
     });
+  const char* const registered = colours ? proxies->GetProxyName(ColoursGroup, colours) : nullptr;
+  const std::string name = registered ? registered : "";
+  const std::string array = name.substr(0, name.find('.'));
+  if (isOurs || isMeasure(array))
+  {
+    vtkSMPropertyHelper(legend, "Title").Set(titleOf(array).c_str());
+    legend->UpdateVTKObjects();
+  }
   const unsigned int names =
     isOurs ? vtkSMPropertyHelper(colours, "Annotations").GetNumberOfElements() / 2 : 0;
   if (names > MostLargeNames)
@@ -280,8 +381,8 @@ void prepareLegend(vtkSMProxy* legend)
   }
 }
 
-// Names that a source has since it was made anew, in the legends that its names are in; and what its panel tells of its
-// output, which ParaView asks for too early.
+// Names that a source has since it was made anew, in the legends that its names are in, and none that it had and that nothing
+// has any more; and what its panel tells of its output, which ParaView asks for too early.
 class Renewal : public vtkCommand
 {
 public:
@@ -293,8 +394,10 @@ public:
     vtkSMSessionProxyManager* proxies = source->GetSessionProxyManager();
     for (const char* array : Arrays)
     {
+      const std::set<std::string> gone = this->Gone(array, source);
       if (vtkSMProxy* colours = proxies->GetProxy(ColoursGroup, nameOfColours(array).c_str()))
       {
+        removeCategories(colours, gone);
         addCategories(colours, categoriesOf(source, array), sidesOf(source), array == Defects);
       }
     }
@@ -306,6 +409,25 @@ public:
       }
     }
   }
+
+private:
+  // Values that were there before the last update.
+  std::set<std::string> Gone(const std::string& array, vtkSMProxy* source)
+  {
+    std::set<std::string> gone;
+    std::swap(gone, this->Had[array]);
+    for (const Category& category : categoriesOf(source, array))
+    {
+      this->Had[array].insert(category.value);
+    }
+    for (const std::string& value : valuesOfAll(array, source->GetSessionProxyManager()))
+    {
+      gone.erase(value);
+    }
+    return gone;
+  }
+
+  std::map<std::string, std::set<std::string>> Had; // values of arrays
 };
 
 void prepareNew(vtkSMProxy* proxy, const std::string& group)

@@ -3,6 +3,7 @@ by a button, or that there are none; a brief summary in a corner and a long one 
 with the limit; and a report by Save Data."""
 
 import pathlib
+import re
 import sys
 
 from events import PROPERTIES, apply, choose, event, macro, meshing_menu, number, open_file, script
@@ -62,12 +63,13 @@ with Screen() as screen:
     first, none, cells, summed, charted, shares = map(eval, (screen.folder / "notes.txt").read_text().splitlines())
     MESH, FAILING = ("FiniteVolumeQuality", 0), ("FiniteVolumeQuality", 2)
     assert first["worst"] and first["shown"][MESH] == (first["worst"], 1.0), first
-    assert first["worst"] in first["legends"] and "BoundaryName" not in first["legends"], first["legends"]
+    title = re.sub("(?<=[a-z])(?=[A-Z])", " ", first["worst"])
+    assert title in first["legends"] and "Boundary" not in first["legends"], first["legends"]
     assert ("CartesianMesher", 1) not in first["shown"] and FAILING not in first["shown"], first
     # At first no cell fails: nothing changes, and a message says so.
     assert none["shown"] == first["shown"] and none["position"] == first["position"], none
     assert cells["shown"][FAILING] == ("", 1.0) and cells["shown"][MESH][1] < 0.5, cells
-    assert cells["legends"] == [first["worst"]], cells["legends"]
+    assert cells["legends"] == [title], cells["legends"]
     assert {source for source, _ in cells["shown"]} == {"FiniteVolumeQuality"}, cells["shown"]
 
     def distance(note):
