@@ -589,8 +589,10 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   cartesian::addCellsLeftOut(*piece.assembly, vtkPolyData::GetData(output, 2));
   const bool wasSilent = this->IsSilent; // flaws of a piece are told by its own process
   this->IsSilent = wasSilent && place.isWhole;
-  const cartesian::MeshCheck check = cartesian::checkMesh(mesh,
-    piece.assembly->layers ? cartesian::Checked::All : cartesian::Checked::AtWalls, execution);
+  const auto checked =
+    piece.assembly->layers ? cartesian::Checked::All : cartesian::Checked::AtWalls;
+  const cartesian::MeshCheck check = cartesian::checkMesh(mesh, checked, execution);
+  cartesian::toVTK(check, mesh->GetNumberOfCells(), this->Made);
   cartesian::addFailingCells(mesh, check.failing, vtkPolyData::GetData(output, 2));
   std::string flaws = cartesian::describeFlaws(*piece.assembly, task.surface->names());
   const std::string failures = cartesian::describeFailures(check, mesh);

@@ -365,6 +365,12 @@ public:
   const char* GetDomainNote();
 
   /**
+   * Of the last mesh, or of this process's piece, headings and a row of four texts: the number of cells, how many a solver would
+   * refuse, and the worst skewness and non-orthogonality, at walls only if there are no layers. Empty before.
+   */
+  vtkStringArray* GetMade() { return this->Made; }
+
+  /**
    * Of the layers that are asked for: the thickness of the first one, their number and their total thickness, for boxes of
    * the largest depth that boundaries ask for; in units of the surface and millimetres; empty without layers.
    */
@@ -464,6 +470,7 @@ protected:
   std::string DomainNote;
   vtkNew<vtkStringArray> FlowZones;
   vtkNew<vtkStringArray> ExpectedLayers;
+  vtkNew<vtkStringArray> Made;
 
 private:
   vtkCartesianMesher(const vtkCartesianMesher&) = delete;

@@ -20,6 +20,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -453,6 +454,12 @@ void vtkPolyMeshWriter::WriteSolverCase(const cartesian::PolyMeshFiles& files,
   }
   const auto kept = cartesian::writeSolverCase(std::filesystem::path(this->FileName).parent_path(),
     this->MakeSetup(), meshes, flow, this->Pieces);
+  const cartesian::SolverSetup setup = this->MakeSetup();
+  vtkOutputWindowDisplayText(
+    ("The case is written in " + std::filesystem::path(this->FileName).parent_path().string() +
+      ": run ./Allrun there. Speed " + cartesian::number(setup.speed) + " m/s, viscosity " +
+      cartesian::number(setup.viscosity) + " m2/s.\n")
+      .c_str());
   if (!kept.empty())
   {
     vtkWarningMacro("Solver Setup: existing files are kept, "

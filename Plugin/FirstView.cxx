@@ -368,6 +368,7 @@ void prepareLegend(vtkSMProxy* legend)
   if (isOurs || isMeasure(array))
   {
     vtkSMPropertyHelper(legend, "Title").Set(titleOf(array).c_str());
+    vtkSMPropertyHelper(legend, "ComponentTitle").Set("");
     legend->UpdateVTKObjects();
   }
   const unsigned int names =
@@ -401,7 +402,7 @@ public:
         addCategories(colours, categoriesOf(source, array), sidesOf(source), array == Defects);
       }
     }
-    for (const char* told : { "FoundBoundaries", "FoundSolids", "Findings" })
+    for (const char* told : { "FoundBoundaries", "FoundSolids", "Findings", "Made" })
     {
       if (vtkSMProperty* found = source->GetProperty(told))
       {

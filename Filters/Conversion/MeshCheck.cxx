@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshCheck.h"
 
+#include "Base/Error.h"
 #include "Base/Sorting.h"
 #include "BoundaryOfFaces.h"
 #include "FieldData.h"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <numeric>
 
 namespace cartesian
@@ -142,6 +144,8 @@ public:
     SolverCheck found =
       checkForSolver(coordinatesOf(grid_, copy), cells_, list, checked, isSeen, execution);
     result.ofRegions = std::move(found.ofRegions);
+    result.skewness = found.skewness;
+    result.nonOrthogonality = found.nonOrthogonality;
     result.ofRegions.resize(result.regions.size());
     for (const std::uint32_t cell : found.failing)
     {
@@ -257,6 +261,20 @@ MeshCheck sum(MeshCheck check, const Processes& processes)
       [](double count) { return static_cast<std::size_t>(count); });
   }
   return check;
+}
+
+void toVTK(const MeshCheck& check, vtkIdType cells, vtkStringArray* table)
+{
+  constexpr double Digits = 100;
+  const auto rounded = [](double value) { return number(std::round(Digits * value) / Digits); };
+  table->Initialize();
+  for (const std::string& text :
+    { std::string("Cells"), std::string("Fail"), std::string("Skewness"), std::string("Non-orth."),
+      std::to_string(cells), std::to_string(check.failing.size()), rounded(check.skewness),
+      rounded(check.nonOrthogonality) })
+  {
+    table->InsertNextValue(text);
+  }
 }
 
 void setFindings(const MeshCheck& check, vtkUnstructuredGrid* grid)

@@ -206,7 +206,7 @@ simple.SaveData(str(root / "closed.stl"), proxy=simple.Triangulate(Input=simple.
 FILES = '[surface]\nfile = "closed.stl"\n[output]\nmesh = "refused/case.foam"\n[case]\nsolver_setup = "Incompressible"\n'
 for text, *words in (("speed = -1", ":7: case.speed", "out of range"),
                      ("viscosity = -0.1", ":7: case.viscosity", "out of range"),
-                     ("scale = 0", ":7: case.scale", "out of range: more than 0"),
+                     ("scale = -1", ":7: case.scale", "out of range: 0 or more"),
                      ("", ":6: case.solver_setup", "no boundary is an inlet")):
     (root / "refused.toml").write_text(FILES + text + "\n")
     done = subprocess.run([PROGRAM, str(root / "refused.toml")], capture_output=True, text=True)

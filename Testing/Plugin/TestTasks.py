@@ -86,7 +86,7 @@ def read(name, reader=simple.XMLUnstructuredGridReader):
 # back, it is what a new filter has.
 mesher = simple.CartesianMesher(Input=simple.Sphere())
 assert set(names(MESHER)) == \
-    set(mesher.ListProperties()) - {"Input", "RefinementRegions", "SizeField", "LegendInfo", "ExpectedBoxes", "SurfaceSize", "FlowZones", "ExpectedLayers",
+    set(mesher.ListProperties()) - {"Input", "RefinementRegions", "SizeField", "LegendInfo", "ExpectedBoxes", "SurfaceSize", "FlowZones", "ExpectedLayers", "Made",
         "DomainNote", "Preview"}
 region = simple.RefinementRegion(Input=simple.Sphere())
 assert {parameter.name for parameter in parameters(REGION)} == set(region.ListProperties()) - {"Input"}

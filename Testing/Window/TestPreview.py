@@ -99,7 +99,7 @@ with Screen() as screen:
     first, typed, outside, saved, applied, again, reset = play(note, number("CellSize", 20), note, choose("Domain", "Outside"), note,
         macro("save"), note, number("CellSize", 80), apply(), note, choose("Ground", "zMin"), note, RESET, note)
     for shown in first, typed, outside, saved:
-        assert shown["hidden"] == SCENE and shown["surface"] == [1, 0], shown
+        assert shown["hidden"] == SCENE and shown["surface"] == [1, 1], shown
     assert first["sizes"] == ["0", "9.24"] and typed["sizes"] == ["0", "20"], (first, typed)
     assert not typed["box"] and not typed["labels"] and typed["zones"] == 0, typed
     assert outside["labels"] == ["inlet", "outlet", "sides", "sides", "sides", "sides"] and outside["zones"] > 0, outside
@@ -123,6 +123,10 @@ with Screen() as screen:
     position, lengths = row["typed"]["RefinementPositions"], row["typed"]["RefinementLengths"]
     assert close(position, BODY[::2]) and close(lengths, [high - low for low, high in zip(BODY[::2], BODY[1::2])]), row
     assert "GeometryRepresentation" not in off["hidden"] and off["surface"] == [1, 1], off
+
+    # Where sizes differ, the surface has their colours instead of its own.
+    alike, differing = play(note, event(f"{PROPERTIES}/CurvatureAngle/DoubleRangeWidget/LineEdit", "set_string", 20), note)
+    assert alike["surface"] == [1, 1] and differing["surface"] == [1, 0] and len(differing["sizes"]) > 2, (alike, differing)
 
     (deleted,) = play(choose("Domain", "Outside"), DELETE, note)
     assert deleted["hidden"] == [] and deleted["surface"] == [1, 1], deleted

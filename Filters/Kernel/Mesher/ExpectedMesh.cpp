@@ -145,10 +145,11 @@ private:
   std::vector<Boundary> boundaries_;
 };
 
-// Whether it matters where boxes are.
-bool asksForPlaces(const RefinementSpec& spec)
+// Whether it matters where boxes are. `cellSize`: of the largest, beside which layers are the flattest.
+bool asksForPlaces(const RefinementSpec& spec, double cellSize)
 {
-  return !spec.blocks.empty() || !spec.regions.empty() || spec.sizing.any() ||
+  return !spec.blocks.empty() || !spec.regions.empty() || spec.sizing.asksEverywhere() ||
+    (spec.sizing.halvingsAtLayers > 0 && isFlat(spec.sizing.layers, cellSize)) ||
     std::any_of(spec.boundaries.begin(), spec.boundaries.end(),
       [](const BoundaryRefinement& row) { return row.blendLayers > 0; });
 }
@@ -205,7 +206,8 @@ ExpectedMesh expected(
   const Areas& areas, const SurfaceView& surface, const Options& options, Execution& execution)
 {
   Counts boxes = areas.boxes(options.grid, options.refinement.depth, transitionLayersOf(options));
-  if (asksForPlaces(refinementOf(options)) && boxes.all < MostLookedAt)
+  if (asksForPlaces(refinementOf(options, boundsOf(surface).longest()), options.grid.cellSize) &&
+    boxes.all < MostLookedAt)
   {
     const Counts looked = boxesOfGrid(surface, options, execution);
     boxes.atLayers *= looked.intersected / std::max(1.0, boxes.intersected);

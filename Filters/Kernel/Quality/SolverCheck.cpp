@@ -85,7 +85,10 @@ private:
     {
       add(InvertedFaces, faces_.neighbour[f]);
     }
-    if ((f < inner || isSeen_[f - inner]) && quality_.faces[Skewness][f] > Limits::Skewness)
+    const bool isSeen = f < inner || isSeen_[f - inner];
+    raise(result_.skewness, isSeen ? quality_.faces[Skewness][f] : 0);
+    raise(result_.nonOrthogonality, f < inner ? quality_.faces[NonOrthogonality][f] : 0);
+    if (isSeen && quality_.faces[Skewness][f] > Limits::Skewness)
     {
       add(SkewFaces, owner);
       result_.failing.push_back(f < inner ? faces_.neighbour[f] : owner);
@@ -101,6 +104,9 @@ private:
       }
     }
   }
+
+  // Not by NaN.
+  static void raise(double& most, double value) { most = value > most ? value : most; }
 
   // The pyramid from a cell's centre, if the face's area points out of the cell times `sign`.
   bool isInverted(std::size_t f, std::uint32_t cell, double sign) const
@@ -150,6 +156,8 @@ SolverCheck sumOf(const std::vector<Counter>& counters, SolverCheck sum)
       std::transform(part.ofRegions[r].begin(), part.ofRegions[r].end(), sum.ofRegions[r].begin(),
         sum.ofRegions[r].begin(), std::plus<>());
     }
+    sum.skewness = std::max(sum.skewness, part.skewness);
+    sum.nonOrthogonality = std::max(sum.nonOrthogonality, part.nonOrthogonality);
     sum.failing.insert(sum.failing.end(), part.failing.begin(), part.failing.end());
   }
   sum.failing = sortedUnique(std::move(sum.failing));

@@ -62,6 +62,10 @@ struct SolverCheck
 {
   std::vector<Findings> ofRegions;
   std::vector<std::uint32_t> failing; // cells, in order: themselves, or with a face that fails
+
+  // Of the faces that are looked at, the worst.
+  double skewness = 0;
+  double nonOrthogonality = 0; // degrees
 };
 
 // What is looked at.
