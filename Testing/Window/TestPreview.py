@@ -125,7 +125,7 @@ with Screen() as screen:
     assert "GeometryRepresentation" not in off["hidden"] and off["surface"] == [1, 1], off
 
     # Where sizes differ, the surface has their colours instead of its own.
-    alike, differing = play(note, event(f"{PROPERTIES}/CurvatureAngle/DoubleRangeWidget/LineEdit", "set_string", 20), note)
+    alike, differing = play(note, event(f"{PROPERTIES}/FeatureDepth/IntRangeWidget/LineEdit", "set_string", 2), note)
     assert alike["surface"] == [1, 1] and differing["surface"] == [1, 0] and len(differing["sizes"]) > 2, (alike, differing)
 
     (deleted,) = play(choose("Domain", "Outside"), DELETE, note)
