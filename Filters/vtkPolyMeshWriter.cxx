@@ -3,6 +3,7 @@
 
 #include "Base/Error.h"
 #include "BoundaryOfFaces.h"
+#include "CaseTables.h"
 #include "FoamFromVTK.h"
 #include "FoamPieceStore.h"
 #include "LengthUnit.h"
@@ -422,6 +423,7 @@ cartesian::SolverSetup vtkPolyMeshWriter::MakeSetup()
   setup.speed = this->Speed == 0 ? ofMesh("FlowSpeed", scale, setup.speed) : this->Speed;
   setup.viscosity = this->Viscosity == 0 ? ofMesh("FlowViscosity", scale * scale, setup.viscosity)
                                          : this->Viscosity;
+  setup.density = this->Density;
   setup.temperature = this->InletTemperature;
   if (this->Iterations != 0)
   {
@@ -429,8 +431,20 @@ cartesian::SolverSetup vtkPolyMeshWriter::MakeSetup()
     setup.heatIterations = this->Iterations;
   }
   setup.overwrites = this->OverwriteSetup;
+  setup.times = { this->EndTime, this->WriteInterval, this->TimeStep, this->CourantNumber };
   setup.templates = std::filesystem::u8path(this->CaseTemplates);
+  this->AddTables(setup);
   return setup;
+}
+
+void vtkPolyMeshWriter::AddTables(cartesian::SolverSetup& setup) const
+{
+  setup.conditions = cartesian::readConditions({ this->ConditionBoundaries, this->ConditionFlows,
+    this->ConditionFlowValues, this->ConditionHeats, this->ConditionHeatValues,
+    this->ConditionTurbulenceIntensities, this->ConditionTurbulenceLengths });
+  setup.materials = cartesian::readMaterials(
+    { this->MaterialRegions, this->Materials, this->MaterialDensities, this->MaterialHeatCapacities,
+      this->MaterialConductivities, this->MaterialViscosities, this->HeatSources });
 }
 
 void vtkPolyMeshWriter::WriteSolverCase(const cartesian::PolyMeshFiles& files,
@@ -546,4 +560,11 @@ void vtkPolyMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Iterations: " << this->Iterations << "\n";
   os << indent << "OverwriteSetup: " << this->OverwriteSetup << "\n";
   os << indent << "CaseTemplates: " << this->CaseTemplates << "\n";
+  os << indent << "Density: " << this->Density << "\n";
+  os << indent << "EndTime: " << this->EndTime << "\n";
+  os << indent << "WriteInterval: " << this->WriteInterval << "\n";
+  os << indent << "TimeStep: " << this->TimeStep << "\n";
+  os << indent << "CourantNumber: " << this->CourantNumber << "\n";
+  os << indent << "Conditions: " << this->ConditionBoundaries.size() << "\n";
+  os << indent << "Materials: " << this->MaterialRegions.size() << "\n";
 }

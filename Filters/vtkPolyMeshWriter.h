@@ -53,6 +53,21 @@ class PolyMeshFiles;
 struct SolverSetup;
 }
 
+/**
+ * A column of a table: SetNumberOf...s(int rows), then Set...(int row, value).
+ */
+#define vtkTableColumnMacro(One, Several, Type, Argument)                                          \
+  void SetNumberOf##Several(int number)                                                            \
+  {                                                                                                \
+    this->Several.resize(static_cast<std::size_t>(number), Type{});                                \
+    this->Modified();                                                                              \
+  }                                                                                                \
+  void Set##One(int row, Argument value)                                                           \
+  {                                                                                                \
+    this->Several.at(static_cast<std::size_t>(row)) = value;                                       \
+    this->Modified();                                                                              \
+  }
+
 class VTKCARTESIANMESHERFILTERS_EXPORT vtkPolyMeshWriter : public vtkWholeMeshWriter
 {
 public:
@@ -140,16 +155,17 @@ public:
   {
     None = 0,
     Incompressible = 1, // simpleFoam
-    ConjugateHeat = 2   // chtMultiRegionSimpleFoam
+    ConjugateHeat = 2,  // chtMultiRegionSimpleFoam
+    Transient = 3       // pimpleFoam
   };
 
   ///@{
   /**
-   * Solver files written beside the mesh (Kernel/OpenFoam/SolverSetup.h): none, the default; for simpleFoam; or, with
-   * several regions, for chtMultiRegionSimpleFoam. Error BadParameter, with nothing written, if no boundary is an
+   * Solver files written beside the mesh (Kernel/OpenFoam/SolverSetup.h): none, the default; for simpleFoam or
+   * pimpleFoam; or, with several regions, for chtMultiRegionSimpleFoam. Error BadParameter, with nothing written, if no boundary is an
    * inlet or an outlet.
    */
-  vtkSetClampMacro(SolverSetup, int, None, ConjugateHeat);
+  vtkSetClampMacro(SolverSetup, int, None, Transient);
   vtkGetMacro(SolverSetup, int);
   ///@}
 
@@ -157,7 +173,8 @@ public:
   /**
    * Options of that set-up: 0, the default, for kOmegaSST, 1 for laminar flow; the speed at inlets (m/s) and
    * the kinematic viscosity (m2/s), where 0, the default, means those that the mesh's layers were made for (Target Y
-   * Plus), else 10 and 1.5e-5; the inlet temperature (K, default 350);
+   * Plus), else 10 and 1.5e-5; the density (kg/m3, default 1.2) that turns mass flows and pressures of one mesh into
+   * what these solvers know; the inlet temperature (K, default 350);
    * the number of solver iterations, of heat the most; 0, the default, means 500 of the flow and up to 20000 of heat; and whether existing files are overwritten or kept (default:
    * kept).
    */
@@ -167,6 +184,8 @@ public:
   vtkGetMacro(Speed, double);
   vtkSetMacro(Viscosity, double);
   vtkGetMacro(Viscosity, double);
+  vtkSetMacro(Density, double);
+  vtkGetMacro(Density, double);
   vtkSetMacro(InletTemperature, double);
   vtkGetMacro(InletTemperature, double);
   vtkSetMacro(Iterations, int);
@@ -174,6 +193,53 @@ public:
   vtkSetMacro(OverwriteSetup, bool);
   vtkGetMacro(OverwriteSetup, bool);
   vtkBooleanMacro(OverwriteSetup, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Times of Transient, s: the end (default 1), how often results are written (0, the default: ten times), and the time
+   * step (0, the default: that of the Courant number, at most 1 by default).
+   */
+  vtkSetMacro(EndTime, double);
+  vtkGetMacro(EndTime, double);
+  vtkSetMacro(WriteInterval, double);
+  vtkGetMacro(WriteInterval, double);
+  vtkSetMacro(TimeStep, double);
+  vtkGetMacro(TimeStep, double);
+  vtkSetMacro(CourantNumber, double);
+  vtkGetMacro(CourantNumber, double);
+  ///@}
+
+  ///@{
+  /**
+   * Conditions by boundary, a table (Kernel/OpenFoam/ConditionRows.h has units and signs): names or patterns (* any text, ?
+   * any character); the flow: automatic, speed, volume flow, mass flow or pressure, and its value; heat: automatic,
+   * temperature or heat flux, and its value; intensity and length of turbulence (-1: as without). Columns are as long as the
+   * first, or empty. Error BadParameter, with nothing written, which names the boundary: a row fits none, or not this one.
+   */
+  vtkTableColumnMacro(ConditionBoundary, ConditionBoundaries, std::string, const char*);
+  vtkTableColumnMacro(ConditionFlow, ConditionFlows, std::string, const char*);
+  vtkTableColumnMacro(ConditionFlowValue, ConditionFlowValues, double, double);
+  vtkTableColumnMacro(ConditionHeat, ConditionHeats, std::string, const char*);
+  vtkTableColumnMacro(ConditionHeatValue, ConditionHeatValues, double, double);
+  vtkTableColumnMacro(ConditionTurbulenceIntensity, ConditionTurbulenceIntensities, double, double);
+  vtkTableColumnMacro(ConditionTurbulenceLength, ConditionTurbulenceLengths, double, double);
+  ///@}
+
+  ///@{
+  /**
+   * Materials by region, a table for ConjugateHeat: names or patterns; the material: automatic (air in fluid regions, steel
+   * in solid ones), air, water, aluminium, copper or steel; density, heat capacity, conductivity and kinematic viscosity
+   * instead of the material's (-1: the material's); and the heat, W, that comes into being in the region. Columns and errors
+   * as above.
+   */
+  vtkTableColumnMacro(MaterialRegion, MaterialRegions, std::string, const char*);
+  vtkTableColumnMacro(Material, Materials, std::string, const char*);
+  vtkTableColumnMacro(MaterialDensity, MaterialDensities, double, double);
+  vtkTableColumnMacro(MaterialHeatCapacity, MaterialHeatCapacities, double, double);
+  vtkTableColumnMacro(MaterialConductivity, MaterialConductivities, double, double);
+  vtkTableColumnMacro(MaterialViscosity, MaterialViscosities, double, double);
+  vtkTableColumnMacro(HeatSource, HeatSources, double, double);
   ///@}
 
   ///@{
@@ -211,7 +277,26 @@ protected:
   int Turbulence = 0;
   double Speed = 0;
   double Viscosity = 0;
+  double Density = 1.2;
   double InletTemperature = 350;
+  double EndTime = 1;
+  double WriteInterval = 0;
+  double TimeStep = 0;
+  double CourantNumber = 1;
+  std::vector<std::string> ConditionBoundaries;
+  std::vector<std::string> ConditionFlows;
+  std::vector<double> ConditionFlowValues;
+  std::vector<std::string> ConditionHeats;
+  std::vector<double> ConditionHeatValues;
+  std::vector<double> ConditionTurbulenceIntensities;
+  std::vector<double> ConditionTurbulenceLengths;
+  std::vector<std::string> MaterialRegions;
+  std::vector<std::string> Materials;
+  std::vector<double> MaterialDensities;
+  std::vector<double> MaterialHeatCapacities;
+  std::vector<double> MaterialConductivities;
+  std::vector<double> MaterialViscosities;
+  std::vector<double> HeatSources;
   int Iterations = 0;
   bool OverwriteSetup = false;
   std::string CaseTemplates;
@@ -232,6 +317,7 @@ private:
   void CheckNumbers();
   double ScaleOfMesh(); // Scale, or what 0 stands for
   cartesian::SolverSetup MakeSetup();
+  void AddTables(cartesian::SolverSetup& setup) const;
   void WriteSolverCase(const cartesian::PolyMeshFiles& files, const cartesian::FoamMesh* whole,
     vtkUnstructuredGrid* grid);
   void WarnOfKept(const std::vector<std::filesystem::path>& kept);

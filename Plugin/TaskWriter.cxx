@@ -174,19 +174,25 @@ void addZones(std::vector<TaskTable>& tables, vtkSMProxy* mesher, const std::str
   }
 }
 
-// The settings of the case that the window saved last; empty: none, or the defaults.
-TaskTable caseOf(vtkSMProxy* mesher)
+// The settings of the case that the window saved last, in [case] and its tables of rows; none: the defaults.
+std::vector<TaskTable> caseOf(vtkSMProxy* mesher)
 {
   vtkSmartPointer<vtkSMProxy> writer;
   writer.TakeReference(mesher->GetSessionProxyManager()->NewProxy("writers", "PolyMeshWriter"));
   vtkSMPropertyHelper(writer, "FileName").Set("case.foam");
-  TaskTable all{ "case", false, {} };
+  std::vector<TaskTable> tables{ { "case", false, {} } };
   for (const TaskTable& table : tablesOf(writer))
   {
-    std::copy_if(table.entries.begin(), table.entries.end(), std::back_inserter(all.entries),
+    if (table.isRow)
+    {
+      tables.push_back(table);
+      continue;
+    }
+    std::copy_if(table.entries.begin(), table.entries.end(),
+      std::back_inserter(tables.front().entries),
       [](const auto& entry) { return entry.first != "file_name" && entry.first != "pieces"; });
   }
-  return all;
+  return tables;
 }
 
 // The whole task; throws std::runtime_error where a task cannot say what there is.
@@ -198,12 +204,12 @@ std::string taskOf(vtkSMProxy* mesher, const std::string& task)
   addZones(tables, mesher, task);
   const std::filesystem::path file(task);
   const std::string stem = file.stem().string();
-  const TaskTable ofCase = caseOf(mesher);
+  const std::vector<TaskTable> ofCase = caseOf(mesher);
   tables.push_back({ "output", false,
     { { "mesh",
-      ofCase.entries.empty() ? tomlText(stem + ".vtu")
-                             : list({ stem + ".vtu", stem + "/case.foam" }) } } });
-  tables.push_back(ofCase);
+      ofCase.front().entries.empty() ? tomlText(stem + ".vtu")
+                                     : list({ stem + ".vtu", stem + "/case.foam" }) } } });
+  tables.insert(tables.end(), ofCase.begin(), ofCase.end());
   tables.push_back(cadTable(mesher));
   return "# The settings of " + nameInBrowser(mesher) + ". cartesian-mesher " +
     file.filename().string() +

@@ -2,8 +2,9 @@
 #include "BoundarySettings.h"
 
 #include "Base/Error.h"
-#include "NamePatterns.h"
+#include "Base/NamePatterns.h"
 #include "OpenFoam/FoamBoundary.h"
+
 #include <algorithm>
 
 namespace cartesian

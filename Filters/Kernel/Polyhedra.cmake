@@ -24,6 +24,7 @@ add_library(CartesianPolyhedra STATIC
   "${CMAKE_CURRENT_BINARY_DIR}/BuiltInTemplates.cpp"
   Base/Execution.cpp
   Base/HelperThreads.cpp
+  Base/NamePatterns.cpp
   Base/OutputFile.cpp
   Base/Recording.cpp
   Base/TaskOrder.cpp
@@ -52,6 +53,9 @@ add_library(CartesianPolyhedra STATIC
   Report/ReportPage.cpp
   OpenFoam/CaseFiles.cpp
   OpenFoam/CaseTemplates.cpp
+  OpenFoam/ConditionChecks.cpp
+  OpenFoam/Conditions.cpp
+  OpenFoam/FaceAreas.cpp
   OpenFoam/FlowCase.cpp
   OpenFoam/FoamBoundary.cpp
   OpenFoam/FoamFile.cpp
@@ -66,7 +70,9 @@ add_library(CartesianPolyhedra STATIC
   OpenFoam/LeastSystem.cpp
   OpenFoam/PolyMeshFiles.cpp
   OpenFoam/PolyMeshReader.cpp
+  OpenFoam/Rows.cpp
   OpenFoam/SolverSetup.cpp
+  OpenFoam/Substances.cpp
   OpenFoam/SymmetryPlanes.cpp
   Formats/AsciiNames.cpp
   Formats/EnSightFiles.cpp

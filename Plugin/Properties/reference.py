@@ -21,6 +21,12 @@ UNITS = {
     r"in m/s": "m/s",
     r"in m2/s": "m2/s",
     r"in K\b": "K",
+    r"in kg/m3": "kg/m3",
+    r"in J/\(kg K\)": "J/(kg K)",
+    r"in W/\(m K\)": "W/(m K)",
+    r"in W\b(?!/)": "W",
+    r"in m\b(?!2|3|/)": "m",
+    r"in s\b": "s",
 }
 
 

@@ -218,9 +218,9 @@ def _groups(prototype):
             {prototype.GetPropertyName(member): group.GetFunction(member) for member in members}, row)
 
 
-def collections(name):
-    """All tables of the filter with that XML name that are several lists in Python."""
-    prototype = _prototype("filters", name)
+def collections(name, group="filters"):
+    """All tables of the filter with that XML name, or of another group's proxy, that are several lists in Python."""
+    prototype = _prototype(group, name)
     return [Collection(key, [
                 dataclasses.replace(_parameter(row.GetProperty(function), key),
                     name=name_of(prototype.GetProperty(name).GetXMLLabel()))

@@ -37,6 +37,11 @@
     [case]                     # of .foam files: the properties of their writer
     solver_setup = "Incompressible"
 
+    [[conditions]]             # any number: the tables of that writer's panel, which are these and [[materials]]
+    boundary = "inlet"
+    flow = "mass flow"
+    flow_value = 0.02
+
     [cad]                      # of STEP, IGES and BREP files: the properties of their reader
     length_unit = "Millimetre"
 """
@@ -312,6 +317,11 @@ def case_parameters():
     return [parameter for parameter in parameters(CASE_WRITER, "writers") if parameter.name not in ("FileName", "Pieces")]
 
 
+def case_collections():
+    """Tables of the case writer: conditions and materials."""
+    return collections(CASE_WRITER, "writers")
+
+
 def cad_parameters():
     """Those of the reader of CAD files, for all of a task."""
     return [parameter for parameter in parameters(CAD_READER, "sources") if parameter.name != "FileName"]
@@ -347,7 +357,7 @@ def read_task(path):
     for parameter in mesher:
         tables.setdefault(parameter.table, []).append(parameter)
     content = reader.table(reader.content, (), {*tables, "surface", "regions", "output", "case", "cad",
-        *(of.key for of in rows)})
+        *(of.key for of in rows), *(of.key for of in case_collections())})
 
     properties, known = {}, {}
     for name, of in tables.items():
@@ -359,6 +369,8 @@ def read_task(path):
     case = reader.values(table, ("case",), of_case)
     if case.get("CaseTemplates"):  # as all files of a task, relative to it
         case["CaseTemplates"] = str(reader.path.absolute().parent / case["CaseTemplates"])
+    for of in case_collections():
+        case |= reader.collection(content.get(of.key, []), of)
     for of in rows:
         properties |= reader.collection(content.get(of.key, []), of)
     if properties.get("TargetYPlus"):  # as before there were units

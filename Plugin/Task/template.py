@@ -4,7 +4,7 @@ import json
 import textwrap
 
 from parameters import collections, parameters
-from task import MESHER, REGION, SPLIT, cad_parameters, case_parameters, split_parameters
+from task import MESHER, REGION, SPLIT, cad_parameters, case_collections, case_parameters, split_parameters
 
 HEAD = """\
 # A task for cartesian-mesher. All keys but surface.file are optional; the values below are the
@@ -79,6 +79,10 @@ def split():
             (SPLIT_ROWS.format(rows.key), *[entry(column, "# ") for column in rows.columns])]]
 
 
+def rows(collection):
+    return [ROWS, f"# [[{collection.key}]]", *[entry(column, "# ") for column in collection.columns]]
+
+
 def template():
     parts = [HEAD]
     tables = {}
@@ -96,7 +100,8 @@ def template():
         if name == "refinement":
             parts.append(SIZE_FIELD)
     for collection in collections(MESHER):
-        parts += [ROWS, f"# [[{collection.key}]]", *[entry(column, "# ") for column in collection.columns]]
+        parts += rows(collection)
     parts += [REGIONS, "# [[regions]]", *[entry(parameter, "# ") for parameter in parameters(REGION)]]
     return "\n".join([*parts, OUTPUT, CASE, *[entry(parameter) for parameter in case_parameters()],
+        *[part for collection in case_collections() for part in rows(collection)],
         CAD, *[entry(parameter, "# ") for parameter in cad_parameters()]])

@@ -104,7 +104,11 @@ writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
 case = {"FileType": "Binary", "RegionsAs": "Meshes", "ZoneRegions": [], "ZoneBorders": "Face Zones", "Pieces": 1, "Scale": 0,
         "SolverSetup": "None", "Turbulence": "kOmegaSST", "Speed": 0, "Viscosity": 0, "InletTemperature": 350,
-        "Iterations": 0, "OverwriteSetup": 0, "CaseTemplates": ""}
+        "Iterations": 0, "OverwriteSetup": 0, "CaseTemplates": "", "Density": 1.2, "EndTime": 1, "WriteInterval": 0, "TimeStep": 0,
+        "CourantNumber": 1} | dict.fromkeys((
+            "ConditionBoundaries", "ConditionFlows", "ConditionFlowValues", "ConditionHeats", "ConditionHeatValues",
+            "ConditionTurbulenceIntensities", "ConditionTurbulenceLengths", "MaterialRegions", "Materials", "MaterialDensities",
+            "MaterialHeatCapacities", "MaterialConductivities", "MaterialViscosities", "HeatSources"), [])
 assert sorted(writer.ListProperties()) == sorted(["FileName", "Input", "NamesOfRegions", *case])
 assert {name: writer.GetPropertyValue(name) for name in case} == case
 for suffix, label in (("cgns", "CGNS Mesh"), ("msh", "Fluent Mesh"), ("case", "EnSight Mesh"), ("vtm", "Region Blocks"),

@@ -2,24 +2,14 @@
 #include "OpenFoam/FlowCase.h"
 
 #include "Base/Error.h"
-
-#include <cmath>
+#include "OpenFoam/Conditions.h"
+#include "OpenFoam/Rows.h"
 
 namespace cartesian
 {
 
 namespace
 {
-
-std::string listOf(const std::vector<std::string>& names)
-{
-  std::string text;
-  for (const std::string& name : names)
-  {
-    text += (text.empty() ? "" : " ") + name;
-  }
-  return text;
-}
 
 std::string unitAlong(int axis)
 {
@@ -33,7 +23,7 @@ std::string forcesOn(const std::vector<std::string>& bodies, const SolverSetup& 
   const int up = around.up == flow ? (flow + 1) % 3 : around.up;
   const bool isKnown = around.frontalArea > 0;
   return files.text("flow/forceCoeffs",
-    { { "bodies", listOf(bodies) }, { "drag", velocityAlong(around.direction, 1) },
+    { { "bodies", listOf(bodies, " ") }, { "drag", velocityAlong(around.direction, 1) },
       { "lift", unitAlong(up) }, { "pitch", unitAlong(3 - up - flow) },
       { "speed", number(setup.speed) }, { "length", number(isKnown ? around.length : 1) },
       { "area", number(isKnown ? around.frontalArea : 1) },
@@ -59,11 +49,23 @@ std::string endsOf(const MeshOfCase& mesh, const CaseFiles& files)
   return text;
 }
 
-void writePressure(
-  const MeshOfCase& mesh, const std::optional<FlowAround>& around, CaseFiles& files)
+// Of one mesh: what every patch is.
+struct Flow
 {
-  files.field(mesh, { "p", false, "[0 2 -2 0 0 0 0]", "0" }, [&](const FoamPatch& patch) {
-    switch (roleOf(patch, around))
+  const SolverSetup& setup;
+  const MeshOfCase& mesh;
+  const std::optional<FlowAround>& around;
+  Conditions conditions;
+};
+
+void writePressure(const Flow& flow, CaseFiles& files)
+{
+  files.field(flow.mesh, { "p", false, "[0 2 -2 0 0 0 0]", "0" }, [&](const FoamPatch& patch) {
+    if (const auto given = flow.conditions.pressure(patch))
+    {
+      return *given;
+    }
+    switch (roleOf(patch, flow.around))
     {
       case PatchRole::Outlet:
         return valued("fixedValue", "0");
@@ -75,38 +77,27 @@ void writePressure(
   });
 }
 
-// Inflow: turbulence is weak around bodies and stronger in ducts, with a viscosity ratio of ten.
-struct InletTurbulence
-{
-  double k;     // m2/s2
-  double omega; // 1/s
-};
-
-InletTurbulence inletTurbulence(const SolverSetup& setup, bool isAround)
-{
-  constexpr double Viscosities = 10;
-  const double intensity = isAround ? 0.01 : 0.05;
-  const double k = 1.5 * std::pow(intensity * setup.speed, 2);
-  return { k, k / (Viscosities * setup.viscosity) };
-}
-
 // It starts at rest: potentialFoam's velocity passes through walls, a bad start for thin cells.
-void writeVelocity(const SolverSetup& setup, const MeshOfCase& mesh,
-  const std::optional<FlowAround>& around, CaseFiles& files)
+void writeVelocity(const Flow& flow, CaseFiles& files)
 {
   const std::string rest = "(0 0 0)";
-  const std::string flow = around ? velocityAlong(around->direction, setup.speed) : rest;
-  files.field(mesh, { "U", true, "[0 1 -1 0 0 0 0]", rest }, [&](const FoamPatch& patch) {
-    switch (roleOf(patch, around))
+  const double speed = flow.setup.speed;
+  const std::string along = flow.around ? velocityAlong(flow.around->direction, speed) : rest;
+  files.field(flow.mesh, { "U", true, "[0 1 -1 0 0 0 0]", rest }, [&](const FoamPatch& patch) {
+    if (const auto given = flow.conditions.velocity(patch))
+    {
+      return *given;
+    }
+    switch (roleOf(patch, flow.around))
     {
       case PatchRole::Inlet:
-        return around
-          ? valued("fixedValue", flow)
-          : "type surfaceNormalFixedValue; refValue uniform " + number(-setup.speed) + ";";
+        return flow.around
+          ? valued("fixedValue", along)
+          : "type surfaceNormalFixedValue; refValue uniform " + number(-speed) + ";";
       case PatchRole::Outlet:
-        return "type inletOutlet; inletValue uniform " + rest + "; value uniform " + flow + ";";
+        return "type inletOutlet; inletValue uniform " + rest + "; value uniform " + along + ";";
       case PatchRole::Ground:
-        return valued("fixedValue", flow);
+        return valued("fixedValue", along);
       case PatchRole::Slip:
         return std::string("type slip;");
       default:
@@ -115,33 +106,72 @@ void writeVelocity(const SolverSetup& setup, const MeshOfCase& mesh,
   });
 }
 
-void writeTurbulence(const SolverSetup& setup, const MeshOfCase& mesh,
-  const std::optional<FlowAround>& around, CaseFiles& files)
+// A field of turbulence; `elsewhere`: what it is where there is no wall, or empty: its value flows in.
+struct TurbulenceField
 {
-  const InletTurbulence inlet = inletTurbulence(setup, around.has_value());
-  const auto put = [&](const char* name, const char* dimensions, double start,
-                     const std::string& wall, const std::string& elsewhere) {
-    const std::string value = number(start);
-    files.field(mesh, { name, false, dimensions, value }, [&](const FoamPatch& patch) {
-      switch (roleOf(patch, around))
+  const char* name;
+  const char* dimensions;
+  double (*of)(const InletTurbulence&);
+  const char* wall;
+  std::string elsewhere;
+};
+
+void writeTurbulenceField(const Flow& flow, const TurbulenceField& field, CaseFiles& files)
+{
+  const std::string start = number(field.of(flow.conditions.startingTurbulence()));
+  files.field(
+    flow.mesh, { field.name, false, field.dimensions, start }, [&](const FoamPatch& patch) {
+      const PatchRole role = roleOf(patch, flow.around);
+      const bool flowsIn = flow.conditions.flowsIn(patch);
+      const std::string value =
+        flowsIn ? number(field.of(flow.conditions.turbulence(patch))) : start;
+      if (role == PatchRole::Wall || role == PatchRole::Ground || role == PatchRole::Coupled)
       {
-        case PatchRole::Inlet:
-          return valued(elsewhere.empty() ? "fixedValue" : elsewhere, value);
-        case PatchRole::Outlet:
-          return elsewhere.empty()
-            ? "type inletOutlet; inletValue uniform " + value + "; value uniform " + value + ";"
-            : valued(elsewhere, value);
-        case PatchRole::Slip:
-          return elsewhere.empty() ? std::string("type slip;") : valued(elsewhere, value);
-        default:
-          return valued(wall, value);
+        return valued(field.wall, value);
       }
+      if (!field.elsewhere.empty())
+      {
+        return valued(field.elsewhere, value);
+      }
+      return role == PatchRole::Slip ? std::string("type slip;")
+        : flow.conditions.flowsIn(patch)
+        ? valued("fixedValue", value)
+        : "type inletOutlet; inletValue uniform " + value + "; value uniform " + value + ";";
     });
-  };
-  put("k", "[0 2 -2 0 0 0 0]", inlet.k, "kqRWallFunction", "");
-  put("omega", "[0 0 -1 0 0 0 0]", inlet.omega, "omegaWallFunction", "");
+}
+
+void writeTurbulence(const Flow& flow, CaseFiles& files)
+{
+  using Inlet = const InletTurbulence&;
+  writeTurbulenceField(flow,
+    { "k", "[0 2 -2 0 0 0 0]", [](Inlet inlet) { return inlet.k; }, "kqRWallFunction", "" }, files);
+  writeTurbulenceField(flow,
+    { "omega", "[0 0 -1 0 0 0 0]", [](Inlet inlet) { return inlet.omega; }, "omegaWallFunction",
+      "" },
+    files);
   // By the wall's friction, at any y+: nutkWallFunction's y+ is of k, a tenth of that where walls are resolved.
-  put("nut", "[0 2 -1 0 0 0 0]", inlet.k / inlet.omega, "nutUSpaldingWallFunction", "calculated");
+  writeTurbulenceField(flow,
+    { "nut", "[0 2 -1 0 0 0 0]", [](Inlet inlet) { return inlet.k / inlet.omega; },
+      "nutUSpaldingWallFunction", "calculated" },
+    files);
+}
+
+std::string timesOf(const SolverSetup& setup, const std::string& functions, const CaseFiles& files)
+{
+  if (setup.solver != Solver::Transient)
+  {
+    return files.text("flow/controlDict",
+      { { "iterations", std::to_string(setup.iterations) }, { "functions", functions } });
+  }
+  constexpr double Intervals = 10;
+  constexpr double FirstSteps = 100; // in an interval, until the Courant number is known
+  const FlowTimes& times = setup.times;
+  const double interval = times.writeInterval > 0 ? times.writeInterval : times.end / Intervals;
+  return files.text("flow/controlDict.transient",
+    { { "end", number(times.end) }, { "interval", number(interval) },
+      { "step", number(times.step > 0 ? times.step : interval / FirstSteps) },
+      { "adjusts", times.step > 0 ? "no" : "yes" }, { "courant", number(times.courant) },
+      { "functions", functions } });
 }
 
 }
@@ -157,11 +187,13 @@ void writeFlowCase(const SolverSetup& setup, const MeshOfCase& mesh,
   const std::optional<FlowAround>& around, CaseFiles& files)
 {
   const bool isLaminar = setup.turbulence == Turbulence::Laminar;
-  writeVelocity(setup, mesh, around, files);
-  writePressure(mesh, around, files);
+  const bool isTransient = setup.solver == Solver::Transient;
+  const Flow flow{ setup, mesh, around, { setup, mesh, around } };
+  writeVelocity(flow, files);
+  writePressure(flow, files);
   if (!isLaminar)
   {
-    writeTurbulence(setup, mesh, around, files);
+    writeTurbulence(flow, files);
   }
   files.dictionary("constant/transportProperties",
     files.text("flow/transportProperties", { { "viscosity", number(setup.viscosity) } }));
@@ -170,12 +202,13 @@ void writeFlowCase(const SolverSetup& setup, const MeshOfCase& mesh,
     (around ? forcesOn(namesOf(mesh, PatchRole::Wall, around), setup, *around, files)
             : endsOf(mesh, files)) +
     (isLaminar ? "" : files.text("flow/yPlus"));
-  files.dictionary("system/controlDict",
-    files.text("flow/controlDict",
-      { { "iterations", std::to_string(setup.iterations) }, { "functions", functions } }));
-  files.dictionary("system/fvSchemes", files.text("flow/fvSchemes"));
-  files.dictionary("system/fvSolution", files.text("flow/fvSolution"));
-  files.script(files.text("flow/commands", { { "places", files.places("0", "processor*/0") } }));
+  files.dictionary("system/controlDict", timesOf(setup, functions, files));
+  const std::string kind = isTransient ? ".transient" : "";
+  files.dictionary("system/fvSchemes", files.text("flow/fvSchemes" + kind));
+  files.dictionary("system/fvSolution", files.text("flow/fvSolution" + kind));
+  files.script(files.text("flow/commands",
+    { { "places", files.places("0", "processor*/0") },
+      { "solver", isTransient ? "pimpleFoam" : "simpleFoam" } }));
 }
 
 }

@@ -31,6 +31,7 @@ struct FoamPatch
   FoamSample sample = {};       // a new patch that has one is a mappedWall
   FoamProcesses processes = {}; // a new patch that has them is a processor
   std::string partner = {};     // a new patch that has one is a cyclicAMI with that patch
+  double area = 0;              // m2; 0: not known, as of a piece
 };
 
 // The types of patches that need no further entries.

@@ -2,6 +2,7 @@
 #include "OpenFoam/HeatBalance.h"
 
 #include "Base/Error.h"
+#include "OpenFoam/Substances.h"
 
 #include <algorithm>
 #include <set>
@@ -50,6 +51,7 @@ std::string heatCommands(
   const SolverSetup& setup, const std::vector<MeshOfCase>& meshes, const CaseFiles& files)
 {
   std::string solids;
+  std::string sources;        // of heat, in these
   std::string sides;          // of interfaces, each once
   std::set<std::string> done; // regions
   for (const MeshOfCase& mesh : meshes)
@@ -57,6 +59,7 @@ std::string heatCommands(
     if (!mesh.isFluid && isClosed(mesh))
     {
       solids = joined(solids, mesh.region);
+      sources = joined(sources, number(heatSourceOf(setup, mesh)));
     }
     for (const FoamPatch& patch : mesh.patches)
     {
@@ -69,9 +72,9 @@ std::string heatCommands(
     done.insert(mesh.region);
   }
   return files.text("heat/commands",
-    { { "solids", solids }, { "sides", sides }, { "agreement", number(Agreement) },
-      { "places", files.places(".", "processor*") }, { "first", meshes.front().region },
-      { "interval", std::to_string(heatInterval(setup)) },
+    { { "solids", solids }, { "sides", sides }, { "sources", sources },
+      { "agreement", number(Agreement) }, { "places", files.places(".", "processor*") },
+      { "first", meshes.front().region }, { "interval", std::to_string(heatInterval(setup)) },
       { "most", std::to_string(setup.heatIterations) } });
 }
 

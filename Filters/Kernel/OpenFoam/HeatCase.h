@@ -7,7 +7,7 @@
 namespace cartesian
 {
 
-// The fluid is air, the solid steel; outer walls of solids are cooled by the air around them. The density of the fluid is
+// Without rows of materials, the fluid is air, the solid steel; without rows of conditions, outer walls of solids are cooled by the air around them. The density of the fluid is
 // constant, so its flow does not depend on temperatures: it is a case of simpleFoam (FlowCase.h) in flow/<region>, whose
 // result the script Allrun passes on. Then heat is iterated until it is in balance (HeatBalance.h). (In Debian's OpenFOAM 1912 chtMultiRegionSimpleFoam's own flow is wrong in small
 // cells, as potentialFoam's velocity is.)

@@ -3,6 +3,7 @@
 
 #include "Base/Error.h"
 #include "Base/Sorting.h"
+#include "OpenFoam/FaceAreas.h"
 #include "OpenFoam/LeastSystem.h"
 #include "OpenFoam/SymmetryPlanes.h"
 
@@ -201,6 +202,18 @@ fs::path withoutMesh(const fs::path& kept)
   return fs::is_empty(kept) && fs::remove(kept) ? fs::path() : kept;
 }
 
+// Of a whole mesh.
+std::vector<FoamPatch> withAreas(const FoamMesh& mesh, std::vector<FoamPatch> patches)
+{
+  std::size_t first = mesh.neighbour.size();
+  for (FoamPatch& patch : patches)
+  {
+    patch.area = mesh.addressing ? 0 : areaOfFaces(mesh, first, patch.count);
+    first += patch.count;
+  }
+  return patches;
+}
+
 fs::path unfinished(fs::path polyMesh)
 {
   return polyMesh += ".unfinished";
@@ -281,7 +294,8 @@ void PolyMeshFiles::write(const FoamMesh& mesh, const std::string& region, Execu
     fs::create_directories(unfinished(polyMesh));
     const FoamBoundary boundary =
       replaces ? FoamBoundary(polyMesh / "boundary") : FoamBoundary(withSymmetries(mesh));
-    written_.push_back({ polyMesh, replaces, region, boundary.typed(mesh.patches) });
+    written_.push_back(
+      { polyMesh, replaces, region, withAreas(mesh, boundary.typed(mesh.patches)) });
     writeFiles(mesh, boundary, { unfinished(polyMesh), location.string(), format_ }, execution);
   });
 }

@@ -3,8 +3,11 @@
 
 #include "Base/Error.h"
 #include "Base/OutputFile.h"
+#include "OpenFoam/ConditionChecks.h"
+#include "OpenFoam/Conditions.h"
 #include "OpenFoam/FlowCase.h"
 #include "OpenFoam/HeatCase.h"
+#include "OpenFoam/Substances.h"
 
 #include <algorithm>
 #include <utility>
@@ -99,6 +102,11 @@ void requireInRange(const SolverSetup& setup)
   requireInRange(SolverSetup::Temperatures, setup.temperature, "Inlet Temperature");
   requireInRange(SolverSetup::AllIterations, setup.iterations, "Iterations");
   requireInRange(SolverSetup::AllIterations, setup.heatIterations, "Iterations");
+  requireInRange(SolverSetup::Densities, setup.density, "Density");
+  requireInRange(SolverSetup::EndTimes, setup.times.end, "End Time");
+  requireInRange(SolverSetup::WriteIntervals, setup.times.writeInterval, "Write Interval");
+  requireInRange(SolverSetup::TimeSteps, setup.times.step, "Time Step");
+  requireInRange(SolverSetup::CourantNumbers, setup.times.courant, "Courant Number");
 }
 
 void requireSuitable(const SolverSetup& setup, const std::vector<MeshOfCase>& meshes,
@@ -110,20 +118,24 @@ void requireSuitable(const SolverSetup& setup, const std::vector<MeshOfCase>& me
   }
   if (areRegions(meshes) != (setup.solver == Solver::ConjugateHeat))
   {
+    const std::string name = setup.solver == Solver::Transient ? "Transient" : "Incompressible";
     throw Error(Fault::BadParameter,
       areRegions(meshes)
-        ? "Solver Setup is Incompressible, which needs a single mesh, but there are several "
+        ? "Solver Setup is " + name +
+          ", which needs a single mesh, but there are several "
           "regions. Nothing is written: choose Conjugate Heat, or set Regions As to Zones."
         : "Solver Setup is Conjugate Heat, which needs several regions, but there is only one. "
           "Nothing is written: choose Incompressible, or set Regions From.");
   }
   for (const MeshOfCase& mesh : meshes)
   {
-    if (mesh.isFluid)
+    if (mesh.isFluid && !hasFlowConditions(setup, mesh))
     {
       requireEnds(mesh, around);
     }
   }
+  requireSuitableConditions(setup, meshes, around);
+  requireSuitableMaterials(setup, meshes);
 }
 
 std::vector<std::filesystem::path> writeSolverCase(const std::filesystem::path& folder,

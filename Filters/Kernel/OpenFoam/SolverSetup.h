@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Base/Range.h"
+#include "OpenFoam/ConditionRows.h"
 #include "OpenFoam/FoamBoundary.h"
 
 #include <array>
@@ -21,12 +22,22 @@ enum class Solver : std::uint8_t
   None = 0,
   Incompressible = 1, // simpleFoam
   ConjugateHeat = 2,  // chtMultiRegionSimpleFoam
+  Transient = 3,      // pimpleFoam
 };
 
 enum class Turbulence : std::uint8_t
 {
   KOmegaSST = 0,
   Laminar = 1,
+};
+
+// Of a transient flow, s.
+struct FlowTimes
+{
+  double end = 1;
+  double writeInterval = 0; // 0: a tenth of the end
+  double step = 0;          // 0: by the Courant number
+  double courant = 1;       // at most
 };
 
 // All in SI units.
@@ -36,16 +47,25 @@ struct SolverSetup
   static constexpr Range Viscosities = moreThan(0);
   static constexpr Range Temperatures{ 0 };
   static constexpr Range AllIterations{ 1, 2147483647 };
+  static constexpr Range Densities = moreThan(0);
+  static constexpr Range EndTimes = moreThan(0);
+  static constexpr Range WriteIntervals{ 0 };
+  static constexpr Range TimeSteps{ 0 };
+  static constexpr Range CourantNumbers = moreThan(0);
 
   Solver solver = Solver::None;
   Turbulence turbulence = Turbulence::KOmegaSST;
   double speed = 10;                    // at inlets, m/s
   double viscosity = 1.5e-5;            // kinematic, m2/s
+  double density = 1.2;                 // kg/m3, for mass flows and pressures of one mesh
   double temperature = 350;             // of what flows in, K
   int iterations = 500;                 // of the flow
   int heatIterations = 20000;           // at most (HeatBalance.h)
+  FlowTimes times = {};                 // of Transient
   bool overwrites = false;              // files that are there
   std::filesystem::path templates = {}; // a folder (CaseTemplates.h); empty: the library's own
+  std::vector<Condition> conditions = {};
+  std::vector<RegionMaterial> materials = {}; // of Conjugate Heat
 };
 
 // A mesh of the case as it was written.
@@ -89,7 +109,7 @@ std::vector<std::string> namesOf(
 void requireInRange(const SolverSetup& setup);
 
 // Throws Error (BadParameter) if the meshes do not suit the solver: no inlet, no outlet, several regions instead of
-// one or vice versa.
+// one or vice versa, rows that do not fit (Conditions.h, Substances.h).
 void requireSuitable(const SolverSetup& setup, const std::vector<MeshOfCase>& meshes,
   const std::optional<FlowAround>& around);
 

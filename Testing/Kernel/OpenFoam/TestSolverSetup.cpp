@@ -198,6 +198,84 @@ TEST_F(SolverCase, WhatCannotRunIsRefused)
   expectRefusal("is an inlet");
 }
 
+// A boundary's own row counts before patterns, and of these the first; signs follow what the boundary is.
+TEST_F(SolverCase, RowsOfConditionsAreThoseOfTheirBoundary)
+{
+  setup.density = 2;
+  setup.conditions = { { "*let*", FlowCondition::Pressure, 6 }, { "out*", FlowCondition::Speed, 9 },
+    { "inlet", FlowCondition::MassFlow, 3 }, { "vent", FlowCondition::VolumeFlow, -0.5 } };
+  duct.front().patches[0].area = 0.5;
+  writeSolverCase(folder, setup, duct, {}, 1);
+  const auto expect = [&](const char* field, const std::string& entries) {
+    EXPECT_NE(read(fs::path("0") / field).find(entries), std::string::npos)
+      << entries << read(fs::path("0") / field);
+  };
+  expect("U", "inlet { type flowRateInletVelocity; volumetricFlowRate constant 1.5;");
+  expect("U", "outlet_1 { type inletOutlet;");
+  expect("U", "vent { type flowRateInletVelocity; volumetricFlowRate constant 0.5;");
+  expect("p", "inlet { type zeroGradient; }");
+  expect("p", "outlet_1 { type fixedValue; value uniform 3; }");
+  expect("p", "vent { type zeroGradient; }");
+  expect("k", "inlet { type fixedValue; value uniform 0.03375; }"); // 5 % of 3 m/s
+  expect("k", "outlet_1 { type inletOutlet;");
+}
+
+TEST_F(SolverCase, RowsThatDoNotFitAreRefusedByName)
+{
+  const auto expectRefusal = [&](std::vector<Condition> rows, const std::string& words) {
+    setup.conditions = std::move(rows);
+    try
+    {
+      writeSolverCase(folder, setup, duct, {}, 1);
+      ADD_FAILURE() << "nothing was thrown";
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.fault, Fault::BadParameter);
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(fs::exists(folder / "0"));
+  };
+  expectRefusal({ { "Inlet" } }, "no boundary is called \"Inlet\", only inlet, outlet_1");
+  expectRefusal({ { "inlet" }, { "inlet" } }, "two rows are for inlet");
+  expectRefusal({ { "wall", FlowCondition::Speed, 1 } }, "boundary wall is a wall");
+  expectRefusal(
+    { { "middle", FlowCondition::Pressure, 1 } }, "boundary middle is of type symmetryPlane");
+  expectRefusal({ { "inlet", FlowCondition::ByName, 0, HeatCondition::Temperature, 300 } },
+    "boundary inlet has a temperature");
+  expectRefusal({ { "inlet", FlowCondition::ByName, 0, HeatCondition::ByName, 0, 2 } },
+    "of boundary inlet is 2");
+  expectRefusal(
+    { { "vent", FlowCondition::ByName, 0, HeatCondition::ByName, 0, -1, 1 } }, "nothing flows in");
+  expectRefusal(
+    { { "*t*", FlowCondition::Speed, 1 }, { "middle" } }, "all openings, inlet, outlet_1, vent");
+  setup.materials = { { "gas", Material::Water } };
+  expectRefusal({}, "only Conjugate Heat has regions");
+  setup.materials.clear();
+  setup.turbulence = Turbulence::Laminar;
+  expectRefusal({ { "inlet", FlowCondition::ByName, 0, HeatCondition::ByName, 0, 0.1 } },
+    "the flow is laminar");
+}
+
+TEST_F(SolverCase, TransientFlowHasTimes)
+{
+  setup.solver = Solver::Transient;
+  setup.times = { 3, 0, 0, 0.8 };
+  writeSolverCase(folder, setup, duct, {}, 1);
+  const std::string control = read("system/controlDict");
+  for (const char* entry :
+    { "application     pimpleFoam;", "endTime         3;", "writeInterval   0.3;",
+      "deltaT          0.003;", "adjustTimeStep  yes;", "maxCo           0.8;", "flux_inlet" })
+  {
+    EXPECT_NE(control.find(entry), std::string::npos) << entry << control;
+  }
+  EXPECT_NE(read("system/fvSolution").find("PIMPLE"), std::string::npos);
+  EXPECT_NE(read("Allrun").find("run pimpleFoam"), std::string::npos);
+  setup.times.step = 0;
+  setup.times.end = 0;
+  EXPECT_THROW(writeSolverCase(folder, setup, duct, {}, 1), Error);
+}
+
 // What is not replaced stays; a user's text is as it is, but for its placeholders.
 TEST_F(SolverCase, OwnTemplatesReplaceTheLibrarys)
 {
@@ -258,7 +336,9 @@ TEST_F(SolverCase, HeatEndsInBalance)
     EXPECT_NE(control.find(entry), std::string::npos) << entry << control;
   }
   const std::string script = read("Allrun");
-  EXPECT_NE(script.find("-v solids=\"a\" -v sides=\"gas/gas_to_a/a/a_to_gas\" -v agreement=0.001"),
+  EXPECT_NE(
+    script.find(
+      "-v solids=\"a\" -v sides=\"gas/gas_to_a/a/a_to_gas\" -v agreement=0.001 -v sources=\"0\""),
     std::string::npos)
     << script;
   EXPECT_NE(script.find("[ $((last + 100)) -gt 250 ]"), std::string::npos) << script;

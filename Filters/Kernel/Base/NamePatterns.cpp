@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "NamePatterns.h"
+#include "Base/NamePatterns.h"
 
 namespace cartesian
 {
