@@ -169,6 +169,19 @@ void crossingPipes(Folder& folder)
   write(folder, "crossing_pipes.step", shape, solid, 8, { { "tangentGroups", 8 } });
 }
 
+// A pipe and a branch of the same radius from its axis, which share half of Steinmetz's solid.
+void tee(Folder& folder)
+{
+  const double radius = 5, length = 40, branch = 30;
+  const TopoDS_Shape pipe = cylinder(gp_Ax2(gp_Pnt(-length / 2, 0, 0), gp::DX()), radius, length);
+  const TopoDS_Shape arm = cylinder(gp_Ax2(gp::Origin(), gp::DY()), radius, branch);
+  const double section = Pi * radius * radius;
+  const SolidFacts solid{ "tee", section * (length + branch) - 8.0 / 3 * std::pow(radius, 3),
+    3 * section + 2 * Pi * radius * (length + branch) - 8 * radius * radius };
+  const TopoDS_Shape shape = fused(pipe, arm);
+  write(folder, "tee.step", shape, solid, 5, { { "tangentGroups", 5 } });
+}
+
 void torus(Folder& folder)
 {
   const double large = 10, small = 3;
@@ -218,7 +231,7 @@ void splines(Folder& folder)
 
 const std::map<std::string, Part> Curved = { { "rounded box", roundedBox },
   { "rounded edge", roundedEdge }, { "crease", crease }, { "kinks", kinks },
-  { "hole at kink", holeAtKink }, { "crossing pipes", crossingPipes }, { "torus", torus },
-  { "sphere", sphere }, { "cone", cone }, { "splines", splines } };
+  { "hole at kink", holeAtKink }, { "crossing pipes", crossingPipes }, { "tee", tee },
+  { "torus", torus }, { "sphere", sphere }, { "cone", cone }, { "splines", splines } };
 
 }
