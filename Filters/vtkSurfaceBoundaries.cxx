@@ -84,10 +84,10 @@ void vtkSurfaceBoundaries::ReadAnew(vtkDataObject* data)
       }
       for (const cartesian::ListedBoundary& boundary : cartesian::listBoundaries(*surface))
       {
-        const bool isSide = boundary.triangles == 0;
+        const bool hasNone = boundary.triangles == 0;
         this->List->InsertNextValue(boundary.name);
-        this->List->InsertNextValue(isSide ? "" : InText(boundary.area));
-        this->List->InsertNextValue(isSide ? "" : std::to_string(boundary.triangles));
+        this->List->InsertNextValue(hasNone ? "" : InText(boundary.area));
+        this->List->InsertNextValue(hasNone ? "" : std::to_string(boundary.triangles));
       }
       this->Surface = std::move(surface);
     },

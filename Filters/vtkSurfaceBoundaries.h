@@ -30,7 +30,7 @@ public:
 
   /**
    * Of the last update, in rows of three texts: the name, the area in user units and the number of triangles, which are
-   * empty for a side of the box around the surface.
+   * empty without triangles, as those of a side of the box around the surface.
    */
   vtkStringArray* GetList();
 

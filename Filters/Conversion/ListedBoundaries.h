@@ -19,7 +19,7 @@ struct ListedBoundary
   std::int32_t number;
   std::string name;
   double area = 0;           // user units
-  std::size_t triangles = 0; // none: a side of a flow domain
+  std::size_t triangles = 0; // none: a side of a flow domain, or a name alone
 };
 
 // In order of their numbers.

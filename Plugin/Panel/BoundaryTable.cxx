@@ -71,7 +71,7 @@ QVariant usualValue(vtkSMProperty* property)
 // Usual numbers stand for none.
 QString textOf(const QVariant& value, const QVariant& usual)
 {
-  return value == usual && value.type() != QVariant::String ? QString() : value.toString();
+  return value == usual && value.userType() != QMetaType::QString ? QString() : value.toString();
 }
 
 // Rows are selected by their names; what is typed in a selected row is for all that are.

@@ -52,7 +52,7 @@ DELETE = event(BOUNDARIES, "key", 16777223)
 CONTROL = 67108864
 
 
-with Screen() as screen:
+with Screen(1000, 800) as screen:
     screen.variables["PARAVIEW_LOG_EXECUTION_VERBOSITY"] = "INFO"
     for name, text in (("note", NOTE), ("made", MADE), ("save", SAVE), ("surface", SELECT.replace("OTHER", SURFACE.name)),
             ("mesher", SELECT.replace("OTHER", "CartesianMesher1"))):
