@@ -85,7 +85,10 @@ std::string textOf(vtkSMProxy* proxy, bool inPanel)
 void takeFromPanel(vtkSMProxy* source, vtkSMProxy* other)
 {
   forEachProperty(source, [other](const char* name, vtkSMProperty* property) {
-    takeFromPanel(property, other->GetProperty(name));
+    if (vtkSMProperty* const same = other->GetProperty(name))
+    {
+      takeFromPanel(property, same);
+    }
   });
 }
 

@@ -18,7 +18,7 @@ void forEachProperty(
 // The values in the panel, or those that were applied.
 std::string textOf(vtkSMProxy* proxy, bool inPanel);
 
-// Gives another proxy, which has the same properties, the values in the panel.
+// Gives the properties that another proxy has too the values in the panel.
 void takeFromPanel(vtkSMProxy* source, vtkSMProxy* other);
 
 // Apply sets the values of a source one by one and sends them after the last: what is drawn in between would update it with

@@ -56,17 +56,6 @@ void setText(vtkSMProxy* proxy, const char* property, const char* value)
   vtkSMPropertyHelper(proxy, property, true).Set(value);
 }
 
-// One of the user's colours; `property` of a proxy.
-void setPaletteColour(vtkSMProxy* proxy, const char* property, const char* colour)
-{
-  vtkSMProxy* palette = proxy->GetSessionProxyManager()->GetProxy("settings", "ColorPalette");
-  if (palette && palette->GetProperty(colour))
-  {
-    vtkSMPropertyHelper(proxy, property, true)
-      .Set(vtkSMPropertyHelper(palette, colour).GetDoubleArray().data(), 3);
-  }
-}
-
 }
 
 PreviewScene::PreviewScene(

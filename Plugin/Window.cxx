@@ -69,6 +69,16 @@ void removeHidden(vtkSMProxy* representation, vtkSMRenderViewProxy* view)
   view->UpdateVTKObjects();
 }
 
+void setPaletteColour(vtkSMProxy* proxy, const char* property, const char* colour)
+{
+  vtkSMProxy* palette = proxy->GetSessionProxyManager()->GetProxy("settings", "ColorPalette");
+  if (palette && palette->GetProperty(colour))
+  {
+    vtkSMPropertyHelper(proxy, property, true)
+      .Set(vtkSMPropertyHelper(palette, colour).GetDoubleArray().data(), 3);
+  }
+}
+
 WithoutUndo::WithoutUndo()
   : builder_(vtkSMProxyManager::GetProxyManager()->GetUndoStackBuilder())
   , before_(builder_ && builder_->GetIgnoreAllChanges())

@@ -24,6 +24,9 @@ void observeSelections(vtkSMSessionProxyManager* proxies, vtkCommand* command);
 void addHidden(vtkSMProxy* representation, vtkSMRenderViewProxy* view);
 void removeHidden(vtkSMProxy* representation, vtkSMRenderViewProxy* view);
 
+// Sets a colour of a proxy to one of the user's palette.
+void setPaletteColour(vtkSMProxy* proxy, const char* property, const char* colour);
+
 // While it lives, nothing that changes can be undone.
 class WithoutUndo
 {

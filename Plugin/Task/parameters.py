@@ -210,8 +210,7 @@ def _groups(prototype):
     for i in range(prototype.GetNumberOfPropertyGroups()):
         group = prototype.GetPropertyGroup(i)
         members = [group.GetProperty(j) for j in range(group.GetNumberOfProperties())]
-        hint = group.GetPanelWidget() == "PropertyCollection" and \
-            group.GetHints().FindNestedElementByName("PropertyCollectionWidgetPrototype")
+        hint = group.GetHints() and group.GetHints().FindNestedElementByName("PropertyCollectionWidgetPrototype")
         row = _prototype(hint.GetAttribute("group"), hint.GetAttribute("name")) if hint else None
         table = group.GetHints() and group.GetHints().FindNestedElementByName("TaskTable")
         yield (table.GetAttribute("name") if table else key_of(group.GetXMLLabel()),

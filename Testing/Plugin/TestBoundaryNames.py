@@ -7,6 +7,7 @@ import re
 import struct
 import tempfile
 
+import cartesianmesher.vtkCartesianMesherFilters as filters
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (vtkCompositeDataSet, vtkImageData, vtkMultiBlockDataSet,
@@ -34,8 +35,20 @@ def names(data):
     return {number: name for number, (name, *_) in boundaries(data).items()}
 
 
+def listed(source, boundary_array="Automatic"):
+    """What the panel lists before there is a mesh, in rows of texts: the name, the area and the number of triangles."""
+    boundaries = filters.vtkSurfaceBoundaries()
+    boundaries.SetInputConnection(source.SMProxy.GetClientSideObject().GetOutputPort())
+    boundaries.SetBoundaryArray(boundary_array)
+    boundaries.Update()
+    texts = [boundaries.GetList().GetValue(i) for i in range(boundaries.GetList().GetNumberOfValues())]
+    return list(zip(*[iter(texts)] * 3))
+
+
 def check(source, expected, **properties):
     """`expected`: for each number a name and how many of the octahedron's triangles are its."""
+    rows = [(name, f"{count * FACE:.3g}" if count else "", str(count or "")) for _, (name, count) in sorted(expected.items())]
+    assert listed(source, properties.get("BoundaryArray", "Automatic")) == rows, (listed(source), rows)
     mesher = simple.CartesianMesher(Input=source, CellSize=0.3, **EXACT, **properties)
     mesh, skin = output(mesher, 0), output(mesher, 1)
     assert error_code(mesher) == 0

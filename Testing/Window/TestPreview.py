@@ -69,7 +69,7 @@ from paraview import smtrace
 open("FOLDER/trace.py", "w").write(smtrace.stop_trace())
 """
 SCENE = ["DataLabelRepresentation"] + ["GeometryRepresentation"] * 3 + ["ScalarBarWidgetRepresentation"]
-NEW_SHAPE = event(f"{PROPERTIES}/PropertyCollection1/addItemButton", "activate")
+NEW_SHAPE = event(f"{PROPERTIES}/PropertyCollection/addItemButton", "activate")
 NO_PREVIEW = event(f"{PROPERTIES}/Preview/CheckBox", "set_boolean", "false")
 RESET = event(f"{PANEL}/Reset", "activate")
 DELETE = event(f"{PANEL}/Delete", "activate")

@@ -22,7 +22,7 @@ with Screen() as screen:
     screen.add_macro("mesh", MESH.replace("{folder}", str(screen.folder)))
     task = screen.folder / "task.toml"
     said = screen.play(script(open_file(SURFACE, choose_reader=True), apply(), meshing_menu("CartesianMesher"), advanced(),
-        number("CellSize", 20.5), table_row("BoundaryRefinement", 0, [1, 2, 1, 0]), boundary_row(0, "outlet_1", "symmetry", 0.3), apply(),
+        number("CellSize", 20.5), table_row("BoundaryRefinement", 0, [1, 2, 1, 0]), boundary_row(2, "symmetry", 0.3), apply(),
         event("pqClientMainWindow/menubar/menu_File", "activate", "actionFileSaveData"),
         event("pqClientMainWindow/FileSaveDialog", "filesSelected", task), macro("mesh")))
     assert "ERR|" not in said, said

@@ -86,7 +86,7 @@ with Screen() as screen:
         meshing_menu("CartesianMesher"), advanced(), number("CellSize", 20.5), apply(), macro("note"), macro("picture"),
         table_row("BoundaryRefinement", 0, [1, 2, 1, 0]), apply(), rows("BoundaryRefinement", 1),
         undo(), rows("BoundaryRefinement", 0), redo(), rows("BoundaryRefinement", 1), apply(), macro("note"),
-        boundary_row(0, "outlet_1", "symmetry", 0.3), boundary_row(1, "wall_2", "patch", 1e-100), apply(),
+        boundary_row(2, "symmetry", 0.3), boundary_row(3, "patch", 1e-100), apply(),
         look("PositiveX"), macro("picture"), macro("save")))
     assert "ERR|" not in said, said
     notes = (screen.folder / "notes.txt").read_text().splitlines()

@@ -69,13 +69,30 @@ def rows(property, count):
     return f'<pqcheck object={quoteattr(table)} property="modelRowCount" arguments="{count}"/>'
 
 
-def boundary_row(row, name, type, ratio):
-    """Adds a row to the table Boundaries and fills it in."""
-    fields = f"{PROPERTIES}/PropertyCollection/container/1pqProxyWidget{row}"
-    return "\n".join([event(f"{PROPERTIES}/PropertyCollection/addItemButton", "activate"),
-        event(f"{fields}/Name/Name", "set_string", name),
-        event(f"{fields}/Type/ComboBox", "set_string", type),
-        event(f"{fields}/SmallCellRatio/DoubleLineEdit0", "set_string", ratio)])
+BOUNDARIES = f"{PROPERTIES}/BoundaryTable/Table"
+
+
+def boundary(row, column, value):
+    """Types a value into a field of the table Boundaries, or chooses it: columns are counted with Area and Triangles."""
+    edit = event(BOUNDARIES, "edit", f"{row}.{column}")
+    editor = f"{BOUNDARIES}/qt_scrollarea_viewport/1"
+    if column == 3:
+        return edit + event(f"{editor}QComboBox0", "set_string", value)
+    return "\n".join([edit, event(f"{editor}QLineEdit0", "set_string", value), event(f"{editor}QLineEdit0", "key", RETURN)])
+
+
+def boundary_row(row, type, ratio):
+    return boundary(row, 3, type) + boundary(row, 4, ratio)
+
+
+def shows_boundary(row, column, value):
+    return f'<pqcheck object={quoteattr(BOUNDARIES)} property="modelItemData" arguments={quoteattr(f"{row}.{column},{value}")}/>'
+
+
+def select_boundaries(*ranges):
+    """From a row to another each."""
+    return event(BOUNDARIES, "setCurrent", f"{ranges[0][0]}.0") + \
+        event(BOUNDARIES, "setSelection", ",".join(f"{row}.0" for range in ranges for row in range))
 
 
 VIEW = ("pqClientMainWindow/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1"
@@ -87,12 +104,20 @@ def look(direction):
     return event(f"pqClientMainWindow/cameraToolbar/action{direction}", "activate")
 
 
+VIEWPORT = f"{VIEW}/CentralWidgetFrame/Viewport/1QVTKOpenGLNativeWidget0"
+
+
+def click(x, y, to=None, modifiers=0):
+    """Presses and releases the left button in the view, where places are from 0 to 1; `to`: drags it there."""
+    end = to or (x, y)
+    return "\n".join([event(VIEWPORT, "mousePress", f"({x},{y},1,1,{modifiers})"),
+        *([event(VIEWPORT, "mouseMove", f"({end[0]},{end[1]},0,1,{modifiers})")] if to else []),
+        event(VIEWPORT, "mouseRelease", f"({end[0]},{end[1]},1,0,{modifiers})")])
+
+
 def select_cells(x, y):
     """Those that are seen near a place of the view, from 0 to 1."""
-    inside = f"{VIEW}/CentralWidgetFrame/Viewport/1QVTKOpenGLNativeWidget0"
-    return "\n".join([event(f"{VIEW}/actionSelectSurfaceCells", "set_boolean", "true"),
-        event(inside, "mousePress", f"({x},{y},1,1,0)"), event(inside, "mouseMove", f"({x + .01},{y + .01},0,1,0)"),
-        event(inside, "mouseRelease", f"({x + .01},{y + .01},1,0,0)")])
+    return event(f"{VIEW}/actionSelectSurfaceCells", "set_boolean", "true") + click(x, y, to=(x + .01, y + .01))
 
 
 def copy_selection():

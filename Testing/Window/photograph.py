@@ -76,5 +76,5 @@ with Screen(1400, 900) as screen:
 with Screen(1400, 3700) as screen:
     screen.photograph(script(*BEGIN, advanced(), table_row("RefinementBlocks", 0, [0, 4, 0, 9, 2, 2, 3, 1]),
         table_row("BoundaryRefinement", 0, [1, 2, 1, 0]), table_row("BoundaryRefinement", 1, [2, 2, 1, 0]),
-        boundary_row(0, "inlet_1", "patch", 1e-100), boundary_row(1, "outlet_1", "patch", 1e-100),
+        boundary_row(1, "patch", 1e-100), boundary_row(2, "patch", 1e-100),
         event("pqClientMainWindow/pipelineBrowserDock/qt_dockwidget_closebutton", "activate")), HELP / "panel.png", **PANEL)
