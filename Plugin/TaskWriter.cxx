@@ -4,6 +4,7 @@
 #include "TaskCad.h"
 #include "TaskSources.h"
 #include "TaskTables.h"
+#include "WriterProxies.h"
 
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
@@ -174,12 +175,13 @@ void addZones(std::vector<TaskTable>& tables, vtkSMProxy* mesher, const std::str
   }
 }
 
-// The settings of the case that the window saved last; empty: none, or the defaults.
+// The settings of the case that the window saved last of the mesh; empty: none, or the defaults.
 TaskTable caseOf(vtkSMProxy* mesher)
 {
   vtkSmartPointer<vtkSMProxy> writer;
   writer.TakeReference(mesher->GetSessionProxyManager()->NewProxy("writers", "PolyMeshWriter"));
-  vtkSMPropertyHelper(writer, "FileName").Set("case.foam");
+  vtkSMPropertyHelper(writer, "Input").Set(mesher, 0);
+  recallSettings(writer);
   TaskTable all{ "case", false, {} };
   for (const TaskTable& table : tablesOf(writer))
   {
