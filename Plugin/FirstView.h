@@ -11,8 +11,8 @@ namespace cartesian
 //   <Colours port="1" array="BoundaryName"/>
 //
 // No array: one plain colour, as an outline has no others. A boundary has one plain colour if it is the only one. The names are
-// those of the source's property LegendInfo. A text with the hint SmallText is small, in a corner. States keep the
-// colours that they were saved with; older ones get the opacity functions that these need.
+// those of the source's property LegendInfo. States keep the colours that they were saved with; older ones get the opacity
+// functions that these need.
 void watchViews();
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PreviewScene.h"
 
+#include "ViewCorners.h"
 #include "Window.h"
 
 #include "vtkClientServerStream.h"
@@ -37,7 +38,6 @@ constexpr double LineWidth = 2;
 constexpr int FontSize = 16;
 constexpr int Centred = 1;
 constexpr int MostLabels = 1000;
-constexpr int UpperRight = 5; // legends of meshes are in the lower right corner
 
 // Of depths 0, 1, ...: grey, then from blue to red and on to violet.
 using Rgb = std::array<double, 3>;
@@ -153,7 +153,6 @@ void PreviewScene::addLegend()
   vtkSMPropertyHelper(legend_, "LookupTable").Set(colours_);
   setText(legend_, "Title", "Box Size");
   setText(legend_, "ComponentTitle", "");
-  set(legend_, "WindowLocation", UpperRight);
   set(legend_, "Visibility", 1);
   setPaletteColour(legend_, "TitleColor", "TextAnnotationColor");
   setPaletteColour(legend_, "LabelColor", "TextAnnotationColor");
@@ -207,6 +206,8 @@ void PreviewScene::nameSizes()
   }
   colours_->UpdateVTKObjects();
   set(legend_, "Visibility", sizes.GetNumberOfElements() > 0 ? 1 : 0);
+  set(legend_, "WindowLocation",
+    freeCorner(view_, legend_, { UpperRight, LowerRight, UpperLeft, UpperCentre, LowerCentre }));
   legend_->UpdateVTKObjects();
 }
 

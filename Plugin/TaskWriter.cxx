@@ -4,6 +4,7 @@
 #include "TaskCad.h"
 #include "TaskSources.h"
 #include "TaskTables.h"
+#include "WriterProxies.h"
 
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
@@ -174,12 +175,13 @@ void addZones(std::vector<TaskTable>& tables, vtkSMProxy* mesher, const std::str
   }
 }
 
-// The settings of the case that the window saved last, in [case] and its tables of rows; none: the defaults.
+// The settings of the case that the window saved last of the mesh, in [case] and its tables of rows; none: the defaults.
 std::vector<TaskTable> caseOf(vtkSMProxy* mesher)
 {
   vtkSmartPointer<vtkSMProxy> writer;
   writer.TakeReference(mesher->GetSessionProxyManager()->NewProxy("writers", "PolyMeshWriter"));
-  vtkSMPropertyHelper(writer, "FileName").Set("case.foam");
+  vtkSMPropertyHelper(writer, "Input").Set(mesher, 0);
+  recallSettings(writer);
   std::vector<TaskTable> tables{ { "case", false, {} } };
   for (const TaskTable& table : tablesOf(writer))
   {

@@ -38,9 +38,14 @@ vtkSMProxy* selectedSource(vtkSMSessionProxyManager* proxies)
   return port ? port->GetSourceProxy() : current;
 }
 
+vtkSMProxy* activeView(vtkSMSessionProxyManager* proxies)
+{
+  return selected(proxies, Views);
+}
+
 vtkSMRenderViewProxy* activeWindow(vtkSMSessionProxyManager* proxies)
 {
-  auto* view = vtkSMRenderViewProxy::SafeDownCast(selected(proxies, Views));
+  auto* view = vtkSMRenderViewProxy::SafeDownCast(activeView(proxies));
   vtkRenderWindowInteractor* interactor = view ? view->GetInteractor() : nullptr;
   return interactor && interactor->IsA("QVTKInteractor") ? view : nullptr;
 }

@@ -14,7 +14,10 @@ namespace cartesian
 // The source that is selected; null: none.
 vtkSMProxy* selectedSource(vtkSMSessionProxyManager* proxies);
 
-// The active view, if it is a window's: null in scripts.
+// The active view, in scripts too; null: none.
+vtkSMProxy* activeView(vtkSMSessionProxyManager* proxies);
+
+// The same, if it is a window's: null in scripts.
 vtkSMRenderViewProxy* activeWindow(vtkSMSessionProxyManager* proxies);
 
 // Calls the command (CurrentChangedEvent) when another source or view is selected.

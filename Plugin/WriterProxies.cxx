@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WriterProxies.h"
 
+#include "CaseProposal.h"
 #include "PortHints.h"
 #include "Registration.h"
+#include "Scripts.h"
 #include "TaskSources.h"
 
 #include "vtkClientServerInterpreter.h"
@@ -23,6 +25,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cartesian
@@ -33,11 +36,21 @@ namespace
 
 using Values = std::map<std::string, std::vector<vtkVariant>>; // of properties, by name
 
-// By kind of writer.
-std::map<std::string, Values>& lastWritten()
+// By kind of writer and mesh.
+using Written = std::pair<std::string, std::string>;
+
+std::map<Written, Values>& lastWritten()
 {
-  static std::map<std::string, Values> values;
+  static std::map<Written, Values> values;
   return values;
+}
+
+Written keyOf(vtkSMProxy* writer)
+{
+  const Output mesh = inputOf(writer);
+  return { writer->GetXMLName(),
+    mesh.source ? std::string(mesh.source->GetGlobalIDAsString()) + ":" + std::to_string(mesh.port)
+                : "" };
 }
 
 // Those that a user sees in the dialog.
@@ -72,12 +85,14 @@ Values valuesOf(vtkSMProxy* writer)
   return values;
 }
 
-void setValues(vtkSMProxy* writer, Values values)
+void setValues(vtkSMProxy* writer, const Values& values)
 {
   forEachSetting(writer, [&](const char* name, vtkSMProperty* property) {
     vtkSMPropertyHelper to(property);
     unsigned int i = 0;
-    for (const vtkVariant& value : values[name])
+    const auto found = values.find(name);
+    for (const vtkVariant& value :
+      found == values.end() ? std::vector<vtkVariant>{} : found->second)
     {
       vtkSMStringVectorProperty::SafeDownCast(property) ? to.Set(i, value.ToString().c_str())
                                                         : to.Set(i, value.ToDouble());
@@ -86,6 +101,17 @@ void setValues(vtkSMProxy* writer, Values values)
   });
 }
 
+}
+
+bool recallSettings(vtkSMProxy* writer)
+{
+  const auto last = lastWritten().find(keyOf(writer));
+  if (last == lastWritten().end())
+  {
+    return false;
+  }
+  setValues(writer, last->second);
+  return true;
 }
 
 }
@@ -98,10 +124,16 @@ public:
 
   void UpdatePipeline() override
   {
+    vtkSMPropertyHelper file(this, "FileName");
+    const std::string chosen = file.GetAsString();
+    const bool isNew = vtkSMPropertyHelper(this, "NewFolder").GetAsInt() != 0;
+    file.Set((isNew ? cartesian::inNewFolder(chosen) : chosen).c_str());
+    this->UpdateVTKObjects();
     this->Superclass::UpdatePipeline();
+    file.Set(chosen.c_str());
     if (cartesian::isInWindow())
     {
-      cartesian::lastWritten()[this->GetXMLName()] = cartesian::valuesOf(this);
+      cartesian::lastWritten()[cartesian::keyOf(this)] = cartesian::valuesOf(this);
     }
   }
   using Superclass::UpdatePipeline;
@@ -113,21 +145,32 @@ protected:
   int ReadXMLAttributes(vtkSMSessionProxyManager* proxies, vtkPVXMLElement* element) override
   {
     const int isRead = this->Superclass::ReadXMLAttributes(proxies, element);
-    this->GetProperty("FileName")
-      ->AddObserver(vtkCommand::ModifiedEvent, this, &vtkSMRememberingWriterProxy::Begin);
+    for (const char* name : { "FileName", "Input" })
+    {
+      this->GetProperty(name)->AddObserver(
+        vtkCommand::ModifiedEvent, this, &vtkSMRememberingWriterProxy::Begin);
+    }
     return isRead;
   }
 
 private:
-  // Once it has a file name: what is set before is reset to defaults, what is set after is the user's.
+  // Once it has a file name and a mesh: what is set before is reset to defaults, what is set after is the user's.
   void Begin()
   {
-    const auto last = cartesian::lastWritten().find(this->GetXMLName());
-    if (!this->HasBegun && cartesian::isInWindow() && last != cartesian::lastWritten().end())
+    if (this->HasBegun || !cartesian::inputOf(this).source ||
+      std::string(vtkSMPropertyHelper(this, "FileName").GetAsString()).empty())
     {
-      cartesian::setValues(this, last->second);
+      return;
     }
     this->HasBegun = true;
+    if (cartesian::isInWindow() && !cartesian::isInScript())
+    {
+      cartesian::proposeFolder(this);
+      if (!cartesian::recallSettings(this))
+      {
+        cartesian::proposeSetup(this);
+      }
+    }
   }
 
   bool HasBegun = false;

@@ -314,7 +314,7 @@ def outputs(reader, content, inputs):
 
 def case_parameters():
     """Those of the case writer, except the keys of [output]."""
-    return [parameter for parameter in parameters(CASE_WRITER, "writers") if parameter.name not in ("FileName", "Pieces")]
+    return [parameter for parameter in parameters(CASE_WRITER, "writers") if parameter.name not in ("FileName", "NewFolder", "Pieces")]
 
 
 def case_collections():

@@ -102,7 +102,7 @@ for proxy, names in (
 
 writer = simple.CreateWriter("case.foam", mesher)
 assert writer.GetXMLLabel() == "OpenFOAM Mesh Writer", writer.GetXMLLabel()
-case = {"FileType": "Binary", "RegionsAs": "Meshes", "ZoneRegions": [], "ZoneBorders": "Face Zones", "Pieces": 1, "Scale": 0,
+case = {"NewFolder": 0, "FileType": "Binary", "RegionsAs": "Meshes", "ZoneRegions": [], "ZoneBorders": "Face Zones", "Pieces": 1, "Scale": 0,
         "SolverSetup": "None", "Turbulence": "kOmegaSST", "Speed": 0, "Viscosity": 0, "InletTemperature": 350,
         "Iterations": 0, "OverwriteSetup": 0, "CaseTemplates": "", "Density": 1.2, "EndTime": 1, "WriteInterval": 0, "TimeStep": 0,
         "CourantNumber": 1} | dict.fromkeys((

@@ -41,6 +41,12 @@ with Screen() as screen:
     screen.add_macro("note", NOTE.replace("{folder}", str(screen.folder)))
     for port in 0, 1:
         screen.add_macro(f"select{port}", SELECT.replace("{port}", str(port)))
+    screen.add_macro("surface", f"from paraview import simple\nsimple.SetActiveSource(simple.FindSource('{SURFACE.name}'))")
+    screen.add_macro("saved", f"""
+from paraview import simple
+mesh = simple.OutputPort(simple.FindSource("CartesianMesher2"), "Mesh")
+simple.SaveData({str(screen.folder / "scripted.foam")!r}, proxy=mesh)
+""")
     begin = [open_file(SURFACE, choose_reader=True), apply(), meshing_menu("CartesianMesher")]
     screen.play(script(*begin, number("CellSize", 12), apply(), macro("note"), number("CellSize", 2), apply(), macro("note"),
         number("CellSize", 12), apply(), macro("note"), macro("select0"), filter("Common", "Clip"), apply(), macro("note")))
@@ -49,15 +55,23 @@ with Screen() as screen:
     assert large == [1, 1, "Surface"], large
     assert clipped[1] == 0, "the boundary covers the clip"
 
-    # The second case has the settings of the first, but Overwrite Setup; scripts in the window as well as without it start anew.
+    # The second case of a mesh has the settings of the first, but Overwrite Setup; another mesh has not. The setup is proposed, as the mesh
+    # has inlets and outlets, and a new folder where there are other files. Scripts in the window as well as without it start anew.
     for case in "first", "second":
         (screen.folder / case).mkdir()
     screen.play(script(*begin, number("CellSize", 12), apply(), macro("select0"), *save(screen.folder / "first" / "case.foam"),
-        event(f"{IN_DIALOG}/SolverSetup/ComboBox", "set_string", "Incompressible"), event(f"{IN_DIALOG}/Scale/DoubleLineEdit0", "set_string", "0.001"),
+        check(f"{IN_DIALOG}/SolverSetup/ComboBox", "currentText", "Incompressible"),
+        check(f"{IN_DIALOG}/NewFolder/CheckBox", "checked", "false"), event(f"{IN_DIALOG}/Scale/DoubleLineEdit0", "set_string", "0.001"),
         event(f"{IN_DIALOG}/OverwriteSetup/CheckBox", "set_boolean", "true"), event(f"{DIALOG}/widget/OKButton", "activate"),
         *save(screen.folder / "second" / "case.foam"), check(f"{IN_DIALOG}/SolverSetup/ComboBox", "currentText", "Incompressible"),
         check(f"{IN_DIALOG}/Scale/DoubleLineEdit0", "text", "0.001"), check(f"{IN_DIALOG}/OverwriteSetup/CheckBox", "checked", "false"),
-        event(f"{DIALOG}/widget/OKButton", "activate"), *save(screen.folder / "task.toml")))
+        event(f"{DIALOG}/widget/OKButton", "activate"), *save(screen.folder / "task.toml"),
+        macro("surface"), meshing_menu("CartesianMesher"), number("CellSize", 20), apply(), *save(screen.folder / "pipe.foam"),
+        check(f"{IN_DIALOG}/Scale/DoubleLineEdit0", "text", "0"), check(f"{IN_DIALOG}/NewFolder/CheckBox", "checked", "true"),
+        event(f"{IN_DIALOG}/SolverSetup/ComboBox", "set_string", "None"), event(f"{DIALOG}/widget/OKButton", "activate"), macro("saved")))
+    assert (screen.folder / "scripted.foam").exists()
+    assert (screen.folder / "pipe" / "pipe.foam").exists() and (screen.folder / "pipe" / "constant" / "polyMesh").exists()
+    assert not any((screen.folder / name).exists() for name in ("pipe.foam", "Allrun"))
     assert (screen.folder / "second" / "Allrun").exists()
     # A task has them too.
     subprocess.run([sys.argv[2], "--quiet", str(screen.folder / "task.toml")], check=True)
