@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ListedBoundaries.h"
 
+#include "Base/NamePatterns.h"
 #include "Lattice/Vector.h"
-#include "NamePatterns.h"
 #include "SurfaceFromVTK.h"
 
 #include "vtkBoundingBox.h"

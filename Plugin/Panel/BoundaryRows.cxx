@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundaryRows.h"
 
-#include "NamePatterns.h"
+#include "Base/NamePatterns.h"
 
 #include <algorithm>
 #include <functional>
