@@ -10,6 +10,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <array>
 #include <cstdio>
 
 vtkStandardNewMacro(vtkSurfaceBoundaries);
@@ -19,9 +20,9 @@ namespace
 
 std::string InText(double value)
 {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
 }
 
 }
@@ -50,13 +51,14 @@ vtkStringArray* vtkSurfaceBoundaries::GetList()
 
 const char* vtkSurfaceBoundaries::GetBoundaryOnWay()
 {
-  this->BoundaryOnWay = this->Surface
-    ? cartesian::boundaryBetween(*this->Surface, this->Way, this->Way + 3)
-    : std::string();
+  const double* const way = this->Way;
+  this->BoundaryOnWay = this->Surface ? cartesian::boundaryBetween(*this->Surface,
+                                          { way[0], way[1], way[2] }, { way[3], way[4], way[5] })
+                                      : std::string();
   return this->BoundaryOnWay.c_str();
 }
 
-int vtkSurfaceBoundaries::FillOutputPortInformation(int, vtkInformation* info)
+int vtkSurfaceBoundaries::FillOutputPortInformation(int /*port*/, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
   return 1;

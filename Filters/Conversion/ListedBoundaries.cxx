@@ -98,6 +98,7 @@ std::vector<ListedBoundary> listBoundaries(const SurfaceFromVTK& surface)
     ++boundary.triangles;
   }
   std::vector<ListedBoundary> list;
+  list.reserve(listed.size());
   for (const auto& [number, boundary] : listed)
   {
     list.push_back(boundary);
@@ -133,16 +134,16 @@ void boundariesToVTK(
   }
 }
 
-std::string boundaryBetween(const SurfaceFromVTK& surface, const double from[3], const double to[3])
+std::string boundaryBetween(
+  const SurfaceFromVTK& surface, const std::array<double, 3>& from, const std::array<double, 3>& to)
 {
-  const Vector begin{ from[0], from[1], from[2] };
-  const Vector way = minus(Vector{ to[0], to[1], to[2] }, begin);
+  const Vector way = minus(to, from);
   const SurfaceView view = surface.view();
   double nearest = 1;
   std::string name;
   for (std::size_t i = 0; i < view.triangleCount; ++i)
   {
-    const double along = distanceAlong(begin, way, view.corners(i));
+    const double along = distanceAlong(from, way, view.corners(i));
     if (along <= nearest)
     {
       nearest = along;

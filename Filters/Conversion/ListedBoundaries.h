@@ -2,6 +2,7 @@
 // The boundaries of a surface to choose from: what they are, where they are, and which of them is behind a place of a picture.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -31,7 +32,7 @@ void boundariesToVTK(
   const SurfaceFromVTK& surface, const std::vector<std::string>& patterns, vtkPolyData* triangles);
 
 // The boundary of the first triangle on the way from a point to another; empty: none is.
-std::string boundaryBetween(
-  const SurfaceFromVTK& surface, const double from[3], const double to[3]);
+std::string boundaryBetween(const SurfaceFromVTK& surface, const std::array<double, 3>& from,
+  const std::array<double, 3>& to);
 
 }

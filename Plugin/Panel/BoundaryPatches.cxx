@@ -57,6 +57,10 @@ std::vector<PatchOfSurface> BoundaryPatches::list()
 {
   const WithoutUndo withoutUndo;
   takeFromPanel(source_, patches_);
+  if (!vtkSMPropertyHelper(patches_, "Input").GetAsProxy())
+  {
+    return {};
+  }
   patches_->UpdateVTKObjects();
   patches_->UpdatePipeline();
   patches_->UpdatePropertyInformation(patches_->GetProperty("List"));

@@ -105,6 +105,10 @@ void BoundaryRows::add(Row& row)
 
 void BoundaryRows::set(const std::vector<int>& rows, int column, const QVariant& value)
 {
+  if (column == 0 && this->names().contains(value))
+  {
+    return; // each name once
+  }
   ColumnOfRows& values = columns_[static_cast<std::size_t>(column)];
   for (int i : rows)
   {

@@ -157,6 +157,9 @@ void BoundaryTable::addTable()
 {
   table_ = new Cells([this] { this->clearSelected(); });
   table_->setObjectName("Table");
+  table_->setToolTip("Selected rows are lit in the view, where a click selects a row. What you "
+                     "enter in one is for all "
+                     "that are selected.");
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::SelectedClicked |
     QAbstractItemView::EditKeyPressed | QAbstractItemView::AnyKeyPressed);

@@ -57,8 +57,7 @@ void ClickInView::handle(unsigned long event)
   const int* const at = interactor_->GetEventPosition();
   if (event == vtkCommand::LeftButtonPressEvent)
   {
-    pressedAt_[0] = at[0];
-    pressedAt_[1] = at[1];
+    pressedAt_ = { at[0], at[1] };
   }
   else if (std::abs(at[0] - pressedAt_[0]) <= MostPixels &&
     std::abs(at[1] - pressedAt_[1]) <= MostPixels)

@@ -5,6 +5,7 @@
 #include "vtkNew.h"
 #include "vtkWeakPointer.h"
 
+#include <array>
 #include <functional>
 
 class vtkCallbackCommand;
@@ -34,7 +35,7 @@ private:
   Action action_;
   vtkNew<vtkCallbackCommand> command_;
   vtkWeakPointer<vtkRenderWindowInteractor> interactor_;
-  int pressedAt_[2] = { 0, 0 };
+  std::array<int, 2> pressedAt_{};
 };
 
 }

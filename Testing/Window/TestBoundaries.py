@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-from events import BOUNDARIES, PANEL, apply, boundary, click, event, look, macro, meshing_menu, number, open_file, redo, script, \
+from events import BOUNDARIES, PANEL, PROPERTIES, apply, boundary, click, event, look, macro, meshing_menu, number, open_file, redo, script, \
     select_boundaries, shows_boundary, undo
 from window import Screen
 
@@ -65,7 +65,8 @@ with Screen(1000, 800) as screen:
         return [json.loads(line) for line in lines]
 
     note = macro("note")
-    begin = [open_file(SURFACE, choose_reader=True), apply(), meshing_menu("CartesianMesher"), number("CellSize", 25)]
+    begin = [open_file(SURFACE, choose_reader=True), apply(), meshing_menu("CartesianMesher"), number("CellSize", 25),
+        event(f"{PROPERTIES}/Preview/CheckBox", "set_boolean", "false")]  # TestApply has both
 
     # In the view: a place of outlet_1, another with Control, a drag, a place beside the part; rows; another source.
     # Then several rows, a pattern, one mesh, an own value besides a pattern; reset, undo.

@@ -5,8 +5,9 @@ import sys
 
 from paraview import simple
 
-from events import PROPERTIES, advanced, apply, boundary_row, choose, copy_selection, event, look, macro, meshing_menu, number, \
-    open_file, script, select_cells, table_row, text
+from events import PANEL as WHOLE_PANEL
+from events import PROPERTIES, advanced, apply, boundary, boundary_row, choose, copy_selection, event, look, macro, meshing_menu, number, \
+    open_file, script, select_boundaries, select_cells, table_row, text
 from window import Screen
 
 REPOSITORY = pathlib.Path(sys.argv[1])
@@ -28,6 +29,12 @@ with Screen(1400, 900) as screen:
     screen.photograph(script(*split), HELP / "split.png")
     screen.photograph(script(*split, select_cells(0.53, 0.67), copy_selection(), text("SelectionName", "inlet"), apply()),
         HELP / "splitpick.png")
+
+# The surface's boundaries in the panel: four rows are selected and lit, and a pattern below refines walls.
+with Screen(1400, 900) as screen:
+    screen.photograph(script(*BEGIN, number("CellSize", 12), event("pqClientMainWindow/pipelineBrowserDock/qt_dockwidget_closebutton", "activate"),
+        event(f"{WHOLE_PANEL}/SearchBox/SearchLineEdit", "set_string", "Boundar"), boundary(12, 0, "wall_*"), boundary(12, 6, 1),
+        select_boundaries((1, 2), (4, 5)), boundary(1, 3, "patch"), look("NegativeY")), HELP / "patchlist.png")
 
 # Solids of a STEP file, glued.
 OBLIQUE = """
