@@ -348,6 +348,7 @@ int vtkCartesianMesher::RequestData(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
+  this->Made->Initialize(); // after an error there is none
   Piece piece;
   vtkInformation* info = AskedOutput(request, output);
   if (info->Has(Pipeline::UPDATE_PIECE_NUMBER()))

@@ -14,6 +14,7 @@
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
@@ -169,6 +170,19 @@ void SetBoundaries(const cartesian::SurfaceParts& parts, vtkPolyData* output)
   cartesian::setBoundaryNames(output, numbered);
 }
 
+// Caps that are walls in a case, if there are any.
+void TellOfWalls(const std::string& caps)
+{
+  if (!caps.empty())
+  {
+    vtkOutputWindowDisplayText(("Split Surface: the flat ends " + caps +
+      " will be walls. If flow passes through them, let their names begin with inlet or outlet: "
+      "Cap Names "
+      "has them by size, such as \"outlet, inlet\".\n")
+                                 .c_str());
+  }
+}
+
 std::vector<double> AreasOf(const cartesian::SurfaceView& view)
 {
   std::vector<double> areas(view.triangleCount);
@@ -234,17 +248,23 @@ int vtkSplitSurface::RequestData(
     const cartesian::SplitSpec spec{ static_cast<cartesian::SplitBy>(this->SplitBy),
       this->FeatureAngle };
     const cartesian::SurfaceSplit split = cartesian::splitSurface(surface.view(), spec, execution);
-    cartesian::SurfaceParts parts(
-      split, cartesian::patchNames(split, surface.names(), spec.by, this->CapNames), cells);
+    const std::vector<std::string> bases =
+      cartesian::baseNames(split, surface.names(), spec.by, this->CapNames);
+    cartesian::SurfaceParts parts(split, cartesian::numbered(bases), cells);
     if (vtkSelection* selection = vtkSelection::GetData(input[1]))
     {
       parts.select(selectedCells(result, selection), this->SelectWholePatches, this->SelectionName);
+      parts.nameLeft(
+        cartesian::numbered(bases, parts.areGone(this->SelectionName), this->SelectionName),
+        this->SelectionName);
     }
     cartesian::BoundarySettings settings;
     settings.names = this->BoundaryNames;
     settings.mergedNames = this->BoundaryMergedNames;
     parts.rename(settings);
     SetBoundaries(parts, result);
+    TellOfWalls(
+      cartesian::describeWalledCaps(split, spec.by, bases, this->CapNames, parts.namesOfPatches()));
     this->Describe(parts, AreasOf(surface.view()), result);
     vtkPolyData::GetData(output)->ShallowCopy(result);
   });

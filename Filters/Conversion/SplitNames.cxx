@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplitNames.h"
 
+#include "OpenFoam/FoamBoundary.h"
+
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace cartesian
@@ -75,27 +79,62 @@ private:
 
 }
 
-std::vector<std::string> patchNames(
+std::vector<std::string> baseNames(
   const SurfaceSplit& split, const BoundaryNames& names, SplitBy by, const std::string& capNames)
 {
   BaseNames bases(split, names, by, capNames);
   std::vector<std::string> result;
+  std::transform(split.patches.begin(), split.patches.end(), std::back_inserter(result),
+    [&](const SurfacePatch& patch) { return bases.next(patch); });
+  return result;
+}
+
+std::vector<std::string> numbered(
+  const std::vector<std::string>& bases, const std::vector<bool>& isGone, const std::string& taken)
+{
   std::map<std::string, std::size_t> count;
-  for (const SurfacePatch& patch : split.patches)
+  for (const std::string& base : bases)
   {
-    result.push_back(bases.next(patch));
-    ++count[result.back()];
+    ++count[base];
   }
+  std::set<std::string> used{ taken };
+  std::transform(count.begin(), count.end(), std::inserter(used, used.end()),
+    [](const auto& named) { return named.first; });
   std::map<std::string, std::size_t> last;
-  for (std::string& name : result)
+  std::vector<std::string> result = bases;
+  for (std::size_t i = 0; i < bases.size(); ++i)
   {
-    const std::string base = name;
-    for (bool isNew = count[base] == 1; !isNew; isNew = count.emplace(name, 1).second)
+    const bool isLeft = isGone.empty() || !isGone[i];
+    for (bool isNew = count[bases[i]] == 1 || !isLeft; !isNew;
+         isNew = used.insert(result[i]).second)
     {
-      name = base + "_" + std::to_string(++last[base]);
+      result[i] = bases[i] + "_" + std::to_string(++last[bases[i]]);
     }
   }
   return result;
+}
+
+std::string describeWalledCaps(const SurfaceSplit& split, SplitBy by,
+  const std::vector<std::string>& bases, const std::string& capNames,
+  const std::vector<std::string>& nameOf)
+{
+  const std::vector<std::string> ofCaps = listed(capNames);
+  std::set<std::string> walled;
+  for (std::size_t i = 0; i < bases.size() && by == SplitBy::FlatCaps; ++i)
+  {
+    const bool isCap = split.patches[i].standsAlone &&
+      std::find(ofCaps.begin(), ofCaps.end(), bases[i]) != ofCaps.end();
+    if (isCap && !nameOf[i].empty() && !isOpening(nameOf[i]) && !isSymmetry(nameOf[i]))
+    {
+      walled.insert(nameOf[i]);
+    }
+  }
+  std::string names;
+  for (const std::string& name : walled)
+  {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
 }
 
 }

@@ -14,6 +14,7 @@ SurfaceParts::SurfaceParts(const SurfaceSplit& split, const std::vector<std::str
   const std::vector<vtkIdType>& cells)
   : cells_(cells)
   , of_(split.patchOf.begin(), split.patchOf.end())
+  , patches_(names.size())
 {
   for (const std::string& name : names)
   {
@@ -53,6 +54,26 @@ void SurfaceParts::select(const std::vector<bool>& cells, bool wholeParts, const
   dropEmpty();
 }
 
+std::vector<bool> SurfaceParts::areGone(const std::string& joined) const
+{
+  std::vector<bool> areGone(patches_);
+  for (std::size_t patch = 0; patch < patches_; ++patch)
+  {
+    const auto part = names_.find(static_cast<std::int32_t>(patch));
+    areGone[patch] = part == names_.end() || part->second == joined;
+  }
+  return areGone;
+}
+
+void SurfaceParts::nameLeft(const std::vector<std::string>& names, const std::string& joined)
+{
+  for (auto& [part, name] : names_)
+  {
+    const auto patch = static_cast<std::size_t>(part);
+    name = patch < patches_ && name != joined ? names[patch] : name;
+  }
+}
+
 void SurfaceParts::rename(const BoundarySettings& settings)
 {
   const BoundaryNames given = mergedNames(settings, names_);
@@ -66,6 +87,7 @@ void SurfaceParts::rename(const BoundarySettings& settings)
     std::string& former = former_[becomes[part]];
     former += (former.empty() ? "" : ", ") + name;
     name = now;
+    given_[part] = now;
   }
   for (std::int32_t& part : of_)
   {
@@ -81,6 +103,17 @@ void SurfaceParts::dropEmpty()
   {
     named = used.count(named->first) == 0 ? names_.erase(named) : std::next(named);
   }
+}
+
+std::vector<std::string> SurfaceParts::namesOfPatches() const
+{
+  std::vector<std::string> list(patches_);
+  for (std::size_t patch = 0; patch < patches_; ++patch)
+  {
+    const auto given = given_.find(static_cast<std::int32_t>(patch));
+    list[patch] = given == given_.end() ? "" : given->second;
+  }
+  return list;
 }
 
 std::vector<std::string> SurfaceParts::names() const

@@ -25,8 +25,17 @@ public:
   // (BadParameter): no triangle is of a selected cell, or the name is empty.
   void select(const std::vector<bool>& cells, bool wholeParts, const std::string& name);
 
+  // Which patches are no part any more, or one that joined others: that is called `joined`.
+  std::vector<bool> areGone(const std::string& joined) const;
+
+  // Gives the others these names.
+  void nameLeft(const std::vector<std::string>& names, const std::string& joined);
+
   // Gives parts other names, of which those that are equal become one. Throws what mergedNames does.
   void rename(const BoundarySettings& settings);
+
+  // After that, of what is left of each patch; empty: nothing.
+  std::vector<std::string> namesOfPatches() const;
 
   // In order, numbered from 0.
   std::vector<std::string> names() const;
@@ -45,8 +54,10 @@ private:
 
   const std::vector<vtkIdType>& cells_;
   std::vector<std::int32_t> of_; // of each triangle
+  std::size_t patches_ = 0;      // the first parts
   BoundaryNames names_;
   BoundaryNames former_;
+  BoundaryNames given_;
 };
 
 }

@@ -86,6 +86,13 @@ refused(surface, BAD_CELL_SIZE, "Cell Size 40 is larger than the surface", CellS
 refused(surface, TOO_MANY_BOXES, "1.335e+12 boxes", "GiB", "larger Cell Size", CellSize=1e-4)
 refused(surface, TOO_MANY_BOXES, "2e+300 x 2e+300", "larger", CellSize=1e-300)
 refused(surface, TOO_MANY_BOXES, "2e+07 x 2e+07", CellSize=1e-7)
+# ... and the panel does not keep the row of the mesh before.
+mesher = simple.CartesianMesher(Input=surface)
+output(mesher)
+assert mesher.SMProxy.GetClientSideObject().GetMade().GetNumberOfValues() == 8
+mesher.CellSize = 1e9
+check(mesher, BAD_CELL_SIZE, "only 2")
+assert mesher.SMProxy.GetClientSideObject().GetMade().GetNumberOfValues() == 0
 refused(surface, TOO_MANY_BOXES, "Memory Limit of 0.001 GiB", MemoryLimit=1e-3)
 
 # Meshlines.

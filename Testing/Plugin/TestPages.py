@@ -9,6 +9,7 @@ import tempfile
 
 from paraview import simple
 
+import foam
 from pages import HELP, PAGES, REPOSITORY, blocks, reads_cad
 
 PROGRAM = sys.argv[2]
@@ -50,7 +51,17 @@ def run_page(page):
     return names
 
 
-ran = {page.relative_to(REPOSITORY).as_posix(): run_page(page) for page in PAGES if page.name != "cad.md" or reads_cad(PROGRAM)}
+ran = {page.relative_to(REPOSITORY).as_posix(): run_page(page) for page in PAGES
+    if page.name != "cases.md" and (page.name != "cad.md" or reads_cad(PROGRAM))}
+
+# The meshes of the three cases are what their page says, and checkMesh refuses none.
+cases = HELP / "cases.md"
+for task, part in zip(blocks(cases, "toml"), cases.read_text().split("\n## ")[1:]):
+    pathlib.Path("task.toml").write_text(task)
+    cells = int(re.search(r"^Cells +(\d+)", run(PROGRAM, "task.toml", allowed=(0, 3)), re.M)[1])
+    told = int(re.search(r"\(([\d,]+) cells\)", part)[1].replace(",", ""))
+    assert abs(cells - told) < 0.03 * told, f"{cells} cells, not {told}"
+    assert not (failures := foam.refused(re.search(r'mesh = "(\w+)/case.foam"', task)[1])), failures
 
 said = ran["README.md"]["said"]
 assert re.match(r"\d+ cells, \d+ points", said), said

@@ -95,6 +95,14 @@ nowhere = simple.SplitSurface(Input=plain, SelectionName="none",
     Selection=servermanager.sources.IDSelectionSource(IDs=[-1, 10**6], FieldType="CELL"))
 assert error_of(nowhere) == 40008
 
+# A picked cap leaves no gap in the numbers of the others, whatever it is called.
+names = servermanager.Fetch(split).GetCellData().GetAbstractArray("BoundaryName")
+second = next(i for i in range(names.GetNumberOfValues()) if names.GetValue(i) == "cap_2")
+for name, expected in ("inlet", [1, 2, 3, 4, 5, 6, 7]), ("cap_5", [1, 2, 3, 4, 5, 6, 7]), ("cap_9", [1, 2, 3, 4, 5, 6, 7, 9]):
+    gate = boundaries(simple.SplitSurface(Input=plain, SelectionName=name,
+        Selection=servermanager.sources.IDSelectionSource(IDs=[-1, second], FieldType="CELL")))
+    assert [number for number in range(1, 10) if f"cap_{number}" in gate] == expected, gate
+
 # Saved as STL, each boundary is a solid: the same ones come back. Without names it is ParaView's file.
 file = folder / "header.stl"
 simple.SaveData(str(file), proxy=split)

@@ -2,7 +2,7 @@
 
     pvpython Testing/Plugin/cases.py REPOSITORY PROGRAM
 
-What each takes, the last residuals of its flow, and what its user looks at.
+That checkMesh refuses none of their meshes, what each takes, the last residuals of its flow, and what its user looks at.
 """
 
 import os
@@ -38,6 +38,7 @@ for task in tasks:
     meshed, seconds = timed(PROGRAM, "task.toml")
     assert meshed.returncode in MESHED, meshed.stderr
     cells = re.search(r"^Cells +(\d+)", meshed.stdout, re.M)[1]
+    assert not (failures := foam.refused(folder / name)), failures
     began = time.monotonic()
     foam.run(folder / name, "./Allrun")
     print(f"{name}: {cells} cells in {seconds:.0f} s, solved in {time.monotonic() - began:.0f} s")

@@ -67,6 +67,13 @@ class CheckMesh:
                 self.figures[name] = float(found[1].rstrip("."))
 
 
+def refused(folder):
+    """What checkMesh refuses in the meshes of a case, of several regions too; empty: nothing."""
+    regions = sorted(mesh.parent.name for mesh in pathlib.Path(folder).glob("constant/*/polyMesh"))
+    checked = [CheckMesh(folder, "-region", region) for region in regions] or [CheckMesh(folder)]
+    return [failure for check in checked for failure in check.failures or ([] if check.ok else ["no verdict"])]
+
+
 def dictionary(name, text, kind="dictionary"):
     """A file that OpenFOAM reads."""
     return f"FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n{text}\n"

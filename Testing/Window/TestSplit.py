@@ -50,5 +50,6 @@ print("legend", list(GetColorTransferFunction("BoundaryName").Annotations)[::2])
     said = screen.play(script(open_file(duct), apply(), meshing_menu("SplitSurface"), apply(), look("NegativeY"),
         select_cells(0.5, 0.5), copy_selection(), text("SelectionName", "gate"), apply(), macro("told")))
     assert "ERR|" not in said, said
-    assert "boundaries ['cap_2', 'wall', 'gate']" in said, said
-    assert "legend ['cap_2', 'wall', 'gate']" in said, said
+    assert "boundaries ['cap_1', 'wall', 'gate']" in said, said
+    assert "legend ['cap_1', 'wall', 'gate']" in said, said
+    assert "the flat ends cap_1, cap_2 will be walls" in said and "the flat ends cap_1, gate will be walls" not in said, said

@@ -2,6 +2,7 @@
 #include "Boxes/MeshEstimate.h"
 
 #include "Base/Error.h"
+#include "Boxes/IntersectedBoxes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -220,10 +221,9 @@ std::vector<MeshEstimate> estimateLayers(
     for (std::size_t g = boxes.rowStart[boxes.row(0, k)]; g < last; ++g)
     {
       const GlobalBox& global = boxes.globals[g];
-      const auto begin = boxes.packed.begin() + global.firstBox;
-      const auto end = boxes.packed.begin() + boxes.globals[g + 1].firstBox;
-      const auto intersected = static_cast<double>(std::count_if(
-        begin, end, [](const PackedBox& box) { return box.status == BoxStatus::Intersected; }));
+      const PackedBox* const begin = boxes.packed.data() + global.firstBox;
+      const PackedBox* const end = boxes.packed.data() + boxes.globals[g + 1].firstBox;
+      const double intersected = countIntersected(begin, end);
       const TriangleRange triangles = intersected == 0
         ? TriangleRange{ nullptr, nullptr }
         : shoeboxes.triangles(boxes.row(global.index[1], global.index[2]), global.index[0]);

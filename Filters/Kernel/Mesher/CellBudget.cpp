@@ -2,6 +2,7 @@
 #include "Mesher/CellBudget.h"
 
 #include "Base/Error.h"
+#include "Boxes/IntersectedBoxes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,9 +105,8 @@ private:
     if (scale_ * cells <= FarTooMany * budget_)
     {
       const Boxes boxes = decomposition_.boxes(decomposition_.allLayers(), execution_);
-      const auto cut = static_cast<double>(std::count_if(boxes.packed.begin(), boxes.packed.end(),
-        [](const PackedBox& box) { return box.status == BoxStatus::Intersected; }));
-      cells = static_cast<double>(boxes.packed.size()) - (1 - cellsOfCutBoxes_) * cut;
+      cells =
+        static_cast<double>(boxes.packed.size()) - (1 - cellsOfCutBoxes_) * countIntersected(boxes);
     }
     known_.emplace(factor, cells);
     return cells;

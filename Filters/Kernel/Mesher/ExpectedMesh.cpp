@@ -2,6 +2,7 @@
 #include "Mesher/ExpectedMesh.h"
 
 #include "Base/Error.h"
+#include "Boxes/IntersectedBoxes.h"
 #include "Mesher/Mesher.h"
 #include "Surface/SizeEstimate.h"
 
@@ -170,8 +171,7 @@ Counts boxesOfGrid(
   {
     const Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
     counts.all = static_cast<double>(boxes.packed.size());
-    counts.intersected = static_cast<double>(std::count_if(boxes.packed.begin(), boxes.packed.end(),
-      [](const PackedBox& box) { return box.status == BoxStatus::Intersected; }));
+    counts.intersected = countIntersected(boxes);
   }
   else
   {
