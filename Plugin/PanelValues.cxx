@@ -84,10 +84,10 @@ std::string textOf(vtkSMProxy* proxy, bool inPanel)
 
 void takeFromPanel(vtkSMProxy* source, vtkSMProxy* other)
 {
-  forEachProperty(source, [other](const char* name, vtkSMProperty* property) {
-    if (vtkSMProperty* const same = other->GetProperty(name))
+  forEachProperty(source, [other](const char* name, vtkSMProperty* panel) {
+    if (vtkSMProperty* const property = other->GetProperty(name))
     {
-      takeFromPanel(property, same);
+      takeFromPanel(panel, property);
     }
   });
 }
