@@ -362,7 +362,6 @@ vtkBoundingBox vtkCartesianGridAlgorithm::BoundsOfInput()
 const char* vtkCartesianGridAlgorithm::GetSurfaceSize()
 {
   this->SurfaceSize.clear();
-  this->UnitOfInput = cartesian::metresPerUnit(this->GetInputDataObject(0, 0));
   const vtkBoundingBox box = this->BoundsOfInput();
   if (box.IsValid())
   {
@@ -463,7 +462,6 @@ cartesian::SurfaceFromVTK vtkCartesianGridAlgorithm::Read(vtkDataObject* surface
 
 cartesian::SurfaceFromVTK vtkCartesianGridAlgorithm::ReadWithSides(vtkDataObject* data)
 {
-  this->UnitOfInput = cartesian::metresPerUnit(data);
   cartesian::SurfaceFromVTK surface = this->Read(data);
   if (const cartesian::DomainSpec domain = this->MakeOptions().domain; domain.isOutside())
   {

@@ -289,11 +289,6 @@ protected:
   virtual void BeginEstimate(const cartesian::Options* /*options*/) {}
 
   /**
-   * Metres in a unit of the surface, as that says (Conversion/LengthUnit.h).
-   */
-  double UnitOfInput = 1;
-
-  /**
    * Adds the options that depend on the surface's boundaries, except refinement.
    */
   virtual void AddBoundaryOptions(

@@ -131,10 +131,10 @@ cartesian::Options vtkCartesianMesher::MakeOptions()
   return options;
 }
 
-double vtkCartesianMesher::MetresInUnit() const
+double vtkCartesianMesher::MetresInUnit()
 {
   return this->LengthUnit == FromInput
-    ? this->UnitOfInput
+    ? cartesian::metresPerUnit(this->GetInputDataObject(0, 0))
     : cartesian::MetresPerUnits.at(static_cast<std::size_t>(this->LengthUnit - Metre));
 }
 

@@ -425,7 +425,7 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   cartesian::Options MakeOptions() override;
-  double MetresInUnit() const;
+  double MetresInUnit();
   std::string NoteOfLength(double longest) override;
   void BeginEstimate(const cartesian::Options* options) override;
   void AddBoundaryOptions(
