@@ -26,11 +26,9 @@ const Row* rowFor(const std::vector<Row>& rows, std::string Row::*nameIn, const 
 template <class Row>
 std::vector<std::string> namesOf(const std::vector<Row>& rows, std::string Row::*nameIn)
 {
-  std::vector<std::string> names;
-  for (const Row& row : rows)
-  {
-    names.push_back(row.*nameIn);
-  }
+  std::vector<std::string> names(rows.size());
+  std::transform(
+    rows.begin(), rows.end(), names.begin(), [&](const Row& row) { return row.*nameIn; });
   return names;
 }
 
