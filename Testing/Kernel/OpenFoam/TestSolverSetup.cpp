@@ -43,6 +43,22 @@ protected:
     return text.str();
   }
 
+  // With these words, and nothing written.
+  void expectRefusal(const std::string& words) const
+  {
+    try
+    {
+      writeSolverCase(folder, setup, duct, {}, 1);
+      ADD_FAILURE() << "nothing was thrown";
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.fault, Fault::BadParameter);
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(fs::exists(folder / "0"));
+  }
+
   fs::path folder;
   SolverSetup setup = { Solver::Incompressible };
   std::vector<MeshOfCase> duct = { { {}, true,
@@ -166,19 +182,6 @@ TEST_F(SolverCase, WhatIsThereStays)
 
 TEST_F(SolverCase, WhatCannotRunIsRefused)
 {
-  const auto expectRefusal = [&](const std::string& words) {
-    try
-    {
-      writeSolverCase(folder, setup, duct, {}, 1);
-      ADD_FAILURE() << "nothing was thrown";
-    }
-    catch (const Error& error)
-    {
-      EXPECT_EQ(error.fault, Fault::BadParameter);
-      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-    }
-    EXPECT_FALSE(fs::exists(folder / "0"));
-  };
   setup.solver = Solver::ConjugateHeat;
   expectRefusal("set Regions From");
   setup.solver = Solver::Incompressible;
@@ -222,38 +225,28 @@ TEST_F(SolverCase, RowsOfConditionsAreThoseOfTheirBoundary)
 
 TEST_F(SolverCase, RowsThatDoNotFitAreRefusedByName)
 {
-  const auto expectRefusal = [&](std::vector<Condition> rows, const std::string& words) {
+  const auto expectRefusalOf = [&](std::vector<Condition> rows, const std::string& words) {
     setup.conditions = std::move(rows);
-    try
-    {
-      writeSolverCase(folder, setup, duct, {}, 1);
-      ADD_FAILURE() << "nothing was thrown";
-    }
-    catch (const Error& error)
-    {
-      EXPECT_EQ(error.fault, Fault::BadParameter);
-      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-    }
-    EXPECT_FALSE(fs::exists(folder / "0"));
+    expectRefusal(words);
   };
-  expectRefusal({ { "Inlet" } }, "no boundary is called \"Inlet\", only inlet, outlet_1");
-  expectRefusal({ { "inlet" }, { "inlet" } }, "two rows are for inlet");
-  expectRefusal({ { "wall", FlowCondition::Speed, 1 } }, "boundary wall is a wall");
-  expectRefusal(
+  expectRefusalOf({ { "Inlet" } }, "no boundary is called \"Inlet\", only inlet, outlet_1");
+  expectRefusalOf({ { "inlet" }, { "inlet" } }, "two rows are for inlet");
+  expectRefusalOf({ { "wall", FlowCondition::Speed, 1 } }, "boundary wall is a wall");
+  expectRefusalOf(
     { { "middle", FlowCondition::Pressure, 1 } }, "boundary middle is of type symmetryPlane");
-  expectRefusal({ { "inlet", FlowCondition::ByName, 0, HeatCondition::Temperature, 300 } },
+  expectRefusalOf({ { "inlet", FlowCondition::ByName, 0, HeatCondition::Temperature, 300 } },
     "boundary inlet has a temperature");
-  expectRefusal({ { "inlet", FlowCondition::ByName, 0, HeatCondition::ByName, 0, 2 } },
+  expectRefusalOf({ { "inlet", FlowCondition::ByName, 0, HeatCondition::ByName, 0, 2 } },
     "of boundary inlet is 2");
-  expectRefusal(
+  expectRefusalOf(
     { { "vent", FlowCondition::ByName, 0, HeatCondition::ByName, 0, -1, 1 } }, "nothing flows in");
-  expectRefusal(
+  expectRefusalOf(
     { { "*t*", FlowCondition::Speed, 1 }, { "middle" } }, "all openings, inlet, outlet_1, vent");
   setup.materials = { { "gas", Material::Water } };
-  expectRefusal({}, "only Conjugate Heat has regions");
+  expectRefusalOf({}, "only Conjugate Heat has regions");
   setup.materials.clear();
   setup.turbulence = Turbulence::Laminar;
-  expectRefusal({ { "inlet", FlowCondition::ByName, 0, HeatCondition::ByName, 0, 0.1 } },
+  expectRefusalOf({ { "inlet", FlowCondition::ByName, 0, HeatCondition::ByName, 0, 0.1 } },
     "the flow is laminar");
 }
 
@@ -294,19 +287,6 @@ TEST_F(SolverCase, OwnTemplatesReplaceTheLibrarys)
 TEST_F(SolverCase, WhatIsNoTemplateIsRefusedBeforeAnythingIsWritten)
 {
   setup.templates = folder / "mine";
-  const auto expectRefusal = [&](const std::string& words) {
-    try
-    {
-      writeSolverCase(folder, setup, duct, {}, 1);
-      ADD_FAILURE() << "nothing was thrown";
-    }
-    catch (const Error& error)
-    {
-      EXPECT_EQ(error.fault, Fault::BadParameter);
-      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-    }
-    EXPECT_FALSE(fs::exists(folder / "0"));
-  };
   expectRefusal("mine cannot be read (No such file or directory)");
   fs::create_directories(setup.templates / "flow");
   std::ofstream(setup.templates / "flow/controlDict") << "endTime @speed@;";
