@@ -54,17 +54,22 @@ struct SolverSetup;
 }
 
 /**
- * A column of a table: SetNumberOf...s(int rows), then Set...(int row, value).
+ * A column of a table: SetNumberOf...s(int rows), then Set...(int row, value); a missing row is an error.
  */
 #define vtkTableColumnMacro(One, Several, Type, Argument)                                          \
   void SetNumberOf##Several(int number)                                                            \
   {                                                                                                \
-    this->Several.resize(static_cast<std::size_t>(number), Type{});                                \
+    this->Several.resize(number > 0 ? static_cast<std::size_t>(number) : 0, Type{});               \
     this->Modified();                                                                              \
   }                                                                                                \
   void Set##One(int row, Argument value)                                                           \
   {                                                                                                \
-    this->Several.at(static_cast<std::size_t>(row)) = value;                                       \
+    if (row < 0 || static_cast<std::size_t>(row) >= this->Several.size())                          \
+    {                                                                                              \
+      vtkErrorMacro("There is no row " << row << ": set the number of rows first.");               \
+      return;                                                                                      \
+    }                                                                                              \
+    this->Several[static_cast<std::size_t>(row)] = value;                                          \
     this->Modified();                                                                              \
   }
 
