@@ -251,9 +251,10 @@ int vtkSplitSurface::RequestData(
     const std::vector<std::string> bases =
       cartesian::baseNames(split, surface.names(), spec.by, this->CapNames);
     cartesian::SurfaceParts parts(split, cartesian::numbered(bases), cells);
-    if (vtkSelection* selection = vtkSelection::GetData(input[1]))
+    const std::vector<bool> selected = this->Selected(result, vtkSelection::GetData(input[1]));
+    if (!selected.empty())
     {
-      parts.select(selectedCells(result, selection), this->SelectWholePatches, this->SelectionName);
+      parts.select(selected, this->SelectWholePatches, this->SelectionName);
       parts.nameLeft(
         cartesian::numbered(bases, parts.areGone(this->SelectionName), this->SelectionName),
         this->SelectionName);
@@ -269,6 +270,26 @@ int vtkSplitSurface::RequestData(
     vtkPolyData::GetData(output)->ShallowCopy(result);
   });
   return 1;
+}
+
+std::vector<bool> vtkSplitSurface::Selected(vtkPolyData* surface, vtkSelection* selection) const
+{
+  std::vector<bool> cells = selection ? selectedCells(surface, selection) : std::vector<bool>();
+  if (!this->SelectedCells.empty())
+  {
+    cells.resize(static_cast<std::size_t>(surface->GetNumberOfCells()));
+  }
+  for (const int cell : this->SelectedCells)
+  {
+    if (cell < 0 || cell >= surface->GetNumberOfCells())
+    {
+      throw cartesian::Error(cartesian::Fault::BadParameter,
+        "Selected Cells has cell " + std::to_string(cell) + ", but the surface has " +
+          std::to_string(surface->GetNumberOfCells()) + " cells: select them anew.");
+    }
+    cells[static_cast<std::size_t>(cell)] = true;
+  }
+  return cells;
 }
 
 void vtkSplitSurface::Describe(
@@ -311,6 +332,7 @@ void vtkSplitSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "CapNames: " << this->CapNames << "\n";
   os << indent << "BoundaryArray: " << this->BoundaryArray << "\n";
+  PrintColumn(os, indent, "SelectedCells", this->SelectedCells);
   os << indent << "SelectionName: " << this->SelectionName << "\n";
   os << indent << "SelectWholePatches: " << this->SelectWholePatches << "\n";
   PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);

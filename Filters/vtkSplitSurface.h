@@ -5,7 +5,7 @@
  *
  * Input 0: a surface (vtkPolyData, or blocks of it, which become one piece of triangles, and of the lines that
  * are their sharp edges, if those are known: cell array SharpEdge, as in vtkCartesianMesher). Input 1, optional: a selection
- * (vtkSelection) of its cells. Output: the surface, with the cell arrays BoundaryId (int) and BoundaryName (string), which
+ * (vtkSelection) of its cells, for what Selected Cells would say. Output: the surface, with the cell arrays BoundaryId (int) and BoundaryName (string), which
  * replace STLSolidLabeling, and field data with one value per boundary: BoundaryIds, BoundaryNames, BoundaryFaceCounts,
  * BoundaryAreas (in square units of the surface).
  *
@@ -29,6 +29,7 @@
 #include <vector> // for rows
 
 class vtkPolyData;
+class vtkSelection;
 class vtkStringArray;
 
 namespace cartesian
@@ -94,6 +95,15 @@ public:
 
   ///@{
   /**
+   * Cells of the output, which are those of the input in their order, that become a boundary: each at least 0 and less than
+   * the number of cells. With a selection, both. None by default.
+   */
+  void SetNumberOfSelectedCells(int number) { this->Resize(this->SelectedCells, number); }
+  void SetSelectedCell(int row, int cell) { this->SetRow(this->SelectedCells, row, cell); }
+  ///@}
+
+  ///@{
+  /**
    * The boundary that selected cells become, or join. "selected" by default.
    */
   vtkSetMacro(SelectionName, std::string);
@@ -143,6 +153,9 @@ protected:
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
 private:
+  // By cell of the surface; empty: nothing is to be selected.
+  std::vector<bool> Selected(vtkPolyData* surface, vtkSelection* selection) const;
+
   // Lists the boundaries; `areas`: of the triangles.
   void Describe(
     const cartesian::SurfaceParts& parts, const std::vector<double>& areas, vtkPolyData* output);
@@ -151,6 +164,7 @@ private:
   double FeatureAngle = 30;
   std::string CapNames = "cap";
   std::string BoundaryArray;
+  std::vector<int> SelectedCells;
   std::string SelectionName = "selected";
   bool SelectWholePatches = true;
   std::vector<std::string> BoundaryMergedNames;

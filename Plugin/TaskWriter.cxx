@@ -53,10 +53,9 @@ std::vector<TaskTable> splitOf(vtkSMProxy* split, const std::string& input)
 {
   if (vtkSMPropertyHelper(split, "Selection").GetAsProxy())
   {
-    refuse(split, "has a Selection, which a task cannot say", input);
+    refuse(split, "has a Selection, which a task cannot say: use Selected Cells", input);
   }
-  constexpr std::array<const char*, 4> NotInTasks{ "split_by", "selection_name",
-    "select_whole_patches", "number_of_threads" };
+  constexpr std::array<const char*, 2> NotInTasks{ "split_by", "number_of_threads" };
   // Also where it is the default: an empty table would not be written.
   std::vector<TaskTable> tables{ { "surface.split", true,
     { { "split_by", valueOf(split->GetProperty("SplitBy")) } } } };

@@ -2,9 +2,12 @@
 #include "PanelWidgets.h"
 
 #include "BoundaryTable.h"
+#include "CellsOfSelection.h"
+#include "UntracedButton.h"
 
 #include "pqApplicationCore.h"
 #include "pqInterfaceTracker.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
 
 #include <cstring>
@@ -12,11 +15,31 @@
 namespace cartesian
 {
 
+namespace
+{
+
+bool isCalled(const char* widget, const char* name)
+{
+  return widget && std::strcmp(widget, name) == 0;
+}
+
+}
+
+pqPropertyWidget* PanelWidgets::createWidgetForProperty(
+  vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent)
+{
+  const char* const widget = property->GetPanelWidget();
+  if (isCalled(widget, "CellsOfSelection"))
+  {
+    return new CellsOfSelection(proxy, property, parent);
+  }
+  return isCalled(widget, "UntracedButton") ? new UntracedButton(proxy, property, parent) : nullptr;
+}
+
 pqPropertyWidget* PanelWidgets::createWidgetForPropertyGroup(
   vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent)
 {
-  const char* const widget = group->GetPanelWidget();
-  return widget && std::strcmp(widget, "BoundaryTable") == 0
+  return isCalled(group->GetPanelWidget(), "BoundaryTable")
     ? new BoundaryTable(proxy, group, parent)
     : nullptr;
 }

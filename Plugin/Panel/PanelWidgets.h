@@ -19,6 +19,8 @@ class PanelWidgets
 public:
   using QObject::QObject;
 
+  pqPropertyWidget* createWidgetForProperty(
+    vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent) override;
   pqPropertyWidget* createWidgetForPropertyGroup(
     vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent) override;
 };

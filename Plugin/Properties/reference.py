@@ -105,7 +105,7 @@ class Property:
 
     def facts(self, nouns, written, choices=None):
         """{what: text}: `nouns` are what one and several of a kind are called; `written` makes a text of a value."""
-        if self.element.get("panel_widget") == "command_button":
+        if self.element.get("panel_widget") == "UntracedButton":
             return {"Type": "button"}
         if self.is_information:
             return {"Type": "shown only, cannot be set"}

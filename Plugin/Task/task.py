@@ -58,8 +58,7 @@ from parameters import BadValue, collections, extensions, parameters, shown
 MESHER, REGION, SPLIT, CASE_WRITER, CAD_READER = "CartesianMesher", "RefinementRegion", "SplitSurface", "PolyMeshWriter", "CADReader"
 REPORT = ".html"
 FILE_KEYS = {"surface": {"file", "names", "split"}, "refinement": {"size_field"}}  # beside the properties, by table
-# Of Split Surface, not in tasks: what belongs to a selection in a view, and what the mesher has too.
-NOT_OF_SPLIT = "SelectionName", "SelectWholePatches", "NumberOfThreads"
+NOT_OF_SPLIT = ("NumberOfThreads",)  # the mesher has it too
 
 
 def printable(text):

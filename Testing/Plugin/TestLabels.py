@@ -58,7 +58,7 @@ expected = {
         "KeepDamagedFaces": 0, "NameEncoding": "Automatic", "TimeLimit": 1800.0}),
     inspector: ("Surface Inspector", ["Input"], grid | threads | memory),
     split: ("Split Surface", ["Input", "Selection"], boundaries | threads | {"SplitBy": "Flat Caps", "FeatureAngle": 30.0,
-        "CapNames": "cap", "BoundaryNames": [], "BoundaryMergedNames": [], "SelectionName": "selected",
+        "CapNames": "cap", "BoundaryNames": [], "BoundaryMergedNames": [], "SelectedCells": [], "SelectionName": "selected",
         "SelectWholePatches": 1}),
     divided: ("Divide Polyhedra", ["Input"], threads | memory),
     section: ("Slice Polyhedra", ["Input"], threads | {"Origin": [0, 0, 0], "Normal": [1, 0, 0], "Offsets": [0]}),

@@ -89,6 +89,10 @@ assert len(whole) == 9 and whole["picked"] in found.values(), whole
 picked.SelectWholePatches = 0
 assert boundaries(picked)["picked"][1] == 1
 assert math.isclose(sum(size[0] for size in boundaries(picked).values()), area(plain), rel_tol=1e-12)
+by_number = simple.SplitSurface(Input=plain, SelectedCells=[0], SelectWholePatches=0, SelectionName="picked")
+assert boundaries(by_number) == boundaries(picked)
+by_number.SelectedCells = [0, 10**6]
+assert error_of(by_number) == 40008
 picked.SelectionName = ""
 assert error_of(picked) == 40008
 nowhere = simple.SplitSurface(Input=plain, SelectionName="none",

@@ -97,7 +97,7 @@ SCENES = {
     "blocks": (simple.GroupDatasets(Input=[opened(CUBE), opened(ball)], BlockNames=["a block", "ball"]),
         dict(RegionsFrom="Blocks", CellSize=4)),
     "split": (simple.SplitSurface(SplitBy="Feature Angle", FeatureAngle=50, BoundaryNames=["inlet_*"], BoundaryMergedNames=["in"],
-            Input=simple.SplitSurface(Input=opened(CUBE), CapNames="inlet")),
+            Input=simple.SplitSurface(Input=opened(CUBE), CapNames="inlet", SelectedCells=[0], SelectionName="picked")),
         dict(CellSize=1.6, BoundaryNames=["in"], BoundaryDepths=[1])),
     "one block": (simple.GroupDatasets(Input=[opened(CUBE)], BlockNames=["only"]), dict(CellSize=1.6)),
 }

@@ -11,7 +11,7 @@ from paraview import servermanager, simple  # noqa: F401: connects
 from window import Screen
 
 SURFACE = pathlib.Path(sys.argv[1]) / "Data" / "kcl_exhaust_header_lumens.stl"
-BUTTON = event(f"{PROPERTIES}/ShowFailingCells/1QPushButton0", "activate")
+BUTTON = event(f"{PROPERTIES}/ShowFailingCells/Button", "activate")
 SELECT = """
 from paraview import simple
 simple.SetActiveSource(simple.FindSource("{source}"))

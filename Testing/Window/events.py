@@ -121,7 +121,7 @@ def select_cells(x, y):
 
 
 def copy_selection():
-    return event(f"{PROPERTIES}/Selection/Selection/pushButtonCopySelection", "activate")
+    return event(f"{PROPERTIES}/SelectedCells/Copy", "activate")
 
 
 def text(property, value):

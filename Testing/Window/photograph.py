@@ -77,7 +77,7 @@ simple.SetActiveSource(quality)
 with Screen(1400, 900) as screen:
     screen.add_macro("strict", STRICT)
     screen.photograph(script(*BEGIN, number("CellSize", 12), apply(), meshing_menu("FiniteVolumeQuality"), apply(), macro("strict"),
-        event(f"{PROPERTIES}/ShowFailingCells/1QPushButton0", "activate")), HELP / "quality.png")
+        event(f"{PROPERTIES}/ShowFailingCells/Button", "activate")), HELP / "quality.png")
     screen.photograph(script(*BEGIN, number("CellSize", 12), apply(), meshing_menu("QualityHistogram"), apply()), HELP / "histogram.png")
 
 with Screen(1400, 3700) as screen:
