@@ -112,6 +112,7 @@ cartesian::Options vtkCartesianMesher::MakeOptions()
   cartesian::setDomainOptions(this, options);
   cartesian::setPatchOptions(this, options);
   cartesian::setCellOptions(this, options);
+  options.cracks.width = this->CrackWidth;
   options.contactTolerance = this->ContactTolerance;
   options.sheets = static_cast<cartesian::SheetHandling>(this->Sheets);
   options.cellBudget = this->CellBudget;
@@ -672,6 +673,7 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   cartesian::printDomainProperties(this, os, indent);
   os << indent << "RegionsFrom: " << this->RegionsFrom << "\n";
   os << indent << "RegionArray: " << this->RegionArray << "\n";
+  os << indent << "CrackWidth: " << this->CrackWidth << "\n";
   os << indent << "ContactTolerance: " << this->ContactTolerance << "\n";
   os << indent << "Sheets: " << this->Sheets << "\n";
 }

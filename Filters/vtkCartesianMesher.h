@@ -387,6 +387,15 @@ public:
 
   ///@{
   /**
+   * Open edges of the surface that run along each other at most this far apart are joined. In units of the surface; default 0: a
+   * hundredth of the smallest box there.
+   */
+  vtkSetMacro(CrackWidth, double);
+  vtkGetMacro(CrackWidth, double);
+  ///@}
+
+  ///@{
+  /**
    * Sheets without thickness, whose triangles the surface has twice, and open surfaces: 0, the default, each side of
    * the former is a wall, and of the latter if they would enclose next to nothing; 1, the former are ignored, the
    * latter are closed; 2, each side is a wall.
@@ -436,6 +445,7 @@ protected:
   bool InPieces = true;
   int RegionsFrom = One;
   std::string RegionArray;
+  double CrackWidth = 0;
   double ContactTolerance = 0;
   int Sheets = 0;
   int Layers = 0;

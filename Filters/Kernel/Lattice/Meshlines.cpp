@@ -244,4 +244,10 @@ double spacing(const std::vector<Level>& lines, double level)
   return double(lines[static_cast<std::size_t>(i + 1)]) - lines[static_cast<std::size_t>(i)];
 }
 
+double narrowestSide(const Meshlines& planes, const std::array<double, 3>& at)
+{
+  return std::min(
+    { spacing(planes[0], at[0]), spacing(planes[1], at[1]), spacing(planes[2], at[2]) });
+}
+
 }

@@ -75,4 +75,7 @@ std::int64_t intervalOf(const std::vector<Level>& lines, Level level);
 // The distance between the two lines around `level`, in levels; outside, between the nearest two.
 double spacing(const std::vector<Level>& lines, double level);
 
+// The narrowest side of the box there, in levels.
+double narrowestSide(const Meshlines& planes, const std::array<double, 3>& at);
+
 }

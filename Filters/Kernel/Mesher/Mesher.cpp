@@ -259,6 +259,8 @@ PreparedSurface prepareSurface(
   const SurfaceView& view, const Options& options, Execution& execution, int parts)
 {
   PreparedSurface prepared = placeOnGrid(view, options, execution, parts);
+  prepared.cracks = joinCracks(
+    prepared.surface, prepared.planes, options.cracks, refinementOf(options).deepest(), execution);
   separate(prepared, view, options, execution);
   chooseDomain(options.domain, prepared);
   if (options.layers.any())

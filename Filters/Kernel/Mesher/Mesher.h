@@ -40,6 +40,7 @@ struct PreparedSurface
 {
   Surface surface;
   std::map<std::int32_t, std::size_t> boundariesGiven; // how many of the user's triangles each has
+  JoinedCracks cracks;
   SurfaceRepair repair;
   OpenSheets openSheets;
   std::vector<ClosedContact> contacts; // of several regions

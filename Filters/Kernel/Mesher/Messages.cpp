@@ -380,6 +380,14 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   {
     text += lineBreak(text) + vanished;
   }
+  if (const JoinedCracks& cracks = prepared.cracks; cracks.edges > 0)
+  {
+    text += lineBreak(text) +
+      counted(cracks.edges, "open edge along others was joined with them",
+        "open edges along others were joined") +
+      ": cracks at most " + number(cracks.width * prepared.surface.lattice.step()) +
+      " wide, near " + placeOf(prepared.surface, cracks.place) + ".";
+  }
   if (!repair.loose.empty())
   {
     text += lineBreak(text) +

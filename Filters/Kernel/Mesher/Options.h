@@ -11,6 +11,7 @@
 #include "Lattice/Meshlines.h"
 #include "Patches/PatchSpec.h"
 #include "Repair/Baffles.h"
+#include "Repair/Cracks.h"
 #include "Repair/ThinSheets.h"
 #include "Surface/FlowDomain.h"
 #include "Surface/WallLayerSpec.h"
@@ -32,6 +33,7 @@ struct Options
   static constexpr Range CellBudgets{ 0 };
 
   RegionSource regionsFrom = RegionSource::One;
+  CrackSpec cracks;
   double contactTolerance = 0; // user units (Regions.h)
   SheetHandling sheets = SheetHandling::Automatic;
   std::vector<Baffle> baffles;

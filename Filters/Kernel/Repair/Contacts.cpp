@@ -429,7 +429,7 @@ private:
       v = isLater && found != moves.moved.end() ? found->second : v;
     }
     std::vector<Triple> parts;
-    divide(c, onEdges, parts);
+    divideAtEdges(c, onEdges, parts);
     return parts;
   }
 
@@ -533,32 +533,6 @@ private:
     const Vector to = minus(surface_.vertices[vertex], surface_.vertices[edge[0]]);
     const double along = dot(way, to) / std::max(dot(way, way), 1.);
     return along > 0 && along < 1 && norm(minus(to, scaled(way, along))) < Flat;
-  }
-
-  // Fans from the corner opposite to the first edge that has points.
-  static void divide(
-    const Triple& c, const std::array<Loop, 3>& onEdges, std::vector<Triple>& parts)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const std::size_t j = (i + 1) % 3;
-      const std::size_t k = (i + 2) % 3;
-      if (onEdges[i].empty())
-      {
-        continue;
-      }
-      Loop chain{ c[i] };
-      chain.insert(chain.end(), onEdges[i].begin(), onEdges[i].end());
-      chain.push_back(c[j]);
-      for (std::size_t n = 0; n + 1 < chain.size(); ++n)
-      {
-        const bool isLast = n + 2 == chain.size();
-        divide({ chain[n], chain[n + 1], c[k] },
-          { Loop(), isLast ? onEdges[j] : Loop(), n == 0 ? onEdges[k] : Loop() }, parts);
-      }
-      return;
-    }
-    parts.push_back(c);
   }
 
   Surface& surface_;

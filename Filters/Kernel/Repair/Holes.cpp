@@ -312,12 +312,6 @@ bool runsAlong(const RimLoop& loop)
   return along > 0;
 }
 
-double smallestSpacing(const Meshlines& planes, const Vector& at)
-{
-  return std::min(
-    { spacing(planes[0], at[0]), spacing(planes[1], at[1]), spacing(planes[2], at[2]) });
-}
-
 std::int32_t boundaryOf(const RimLoop& loop, const Surface& surface)
 {
   std::map<std::int32_t, std::size_t> edges;
@@ -360,7 +354,7 @@ std::vector<Hole> closeHoles(
       std::reverse(rim.begin(), rim.end());
     }
     hole.width = 4 * HoleFiller(surface).fill(rim, fillings[h]) / loops[h].length;
-    hole.leak = hole.width >= smallestSpacing(planes, loops[h].centre);
+    hole.leak = hole.width >= narrowestSide(planes, loops[h].centre);
   });
   for (std::size_t h = 0; h < holes.size(); ++h)
   {
