@@ -11,7 +11,8 @@ from window import Screen
 SURFACE = pathlib.Path(sys.argv[1]) / "Data" / "tm_7_8ths_cube.stl"
 # ParaView logs each run of a filter: a marker before each Apply divides them.
 MARK = """
-print("MARK")
+import os
+os.write(2, b"MARK\\n")
 """
 SELECT = """
 from paraview import simple

@@ -221,7 +221,7 @@ TEST(Holes, ACrackIsZippedUp)
     {
       // Triangles on the left get points of their own, a little aside.
       const auto copy = static_cast<std::uint32_t>(soup.points.size());
-      soup.points.push_back({ soup.points[p][0], -1e-3, soup.points[p][2] });
+      soup.points.push_back({ soup.points[p][0], -4e-3, soup.points[p][2] });
       for (auto& triangle : soup.triangles)
       {
         double y = 0;
