@@ -108,6 +108,7 @@ public:
       }
     }
     std::vector<std::uint32_t> all;
+    all.reserve(reached.size());
     for (const auto& [vertex, way] : reached)
     {
       all.push_back(vertex);
