@@ -273,7 +273,7 @@ private:
   {
     const OpenRims rims(surface_, execution_);
     DisjointSets sets(surface_.vertices.size());
-    std::map<std::uint32_t, std::vector<std::uint32_t>> members; // of each set, sorted
+    std::map<std::uint32_t, std::vector<std::uint32_t>> members; // of each set
     const auto membersOf = [&](std::uint32_t root) -> std::vector<std::uint32_t>& {
       std::vector<std::uint32_t>& all = members[root];
       if (all.empty())
