@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace cartesian
 {
@@ -19,36 +20,44 @@ namespace
 // What is nearer than this along a rim, by the width of cracks there, is the same side of a crack.
 constexpr double SameSide = 4;
 
-// The open edges of a surface: an odd number of triangles use them.
+// An edge that an odd number of triangles use, and one of these.
+struct OpenEdge
+{
+  std::uint32_t triangle;
+  std::uint32_t lower;
+  std::uint32_t upper;
+
+  bool operator<(const OpenEdge& other) const
+  {
+    return triangle != other.triangle ? triangle < other.triangle
+      : lower != other.lower          ? lower < other.lower
+                                      : upper < other.upper;
+  }
+};
+
+std::vector<OpenEdge> openEdgesOf(const Surface& surface, Execution& execution)
+{
+  std::vector<OpenEdge> open;
+  SurfaceEdges(surface, execution)
+    .forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+      if ((end - begin) % 2 == 1)
+      {
+        open.push_back({ begin->triangle(), lower, begin->upper });
+      }
+    });
+  return open;
+}
+
+// The rims that open edges form.
 class OpenRims
 {
 public:
-  struct Edge
-  {
-    std::uint32_t triangle;
-    std::uint32_t lower;
-    std::uint32_t upper;
-
-    bool operator<(const Edge& other) const
-    {
-      return triangle != other.triangle ? triangle < other.triangle
-        : lower != other.lower          ? lower < other.lower
-                                        : upper < other.upper;
-    }
-  };
-
-  OpenRims(const Surface& surface, Execution& execution)
+  OpenRims(const Surface& surface, std::vector<OpenEdge> edges)
     : surface_(surface)
+    , edges_(std::move(edges))
   {
-    SurfaceEdges(surface, execution)
-      .forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-        if ((end - begin) % 2 == 1)
-        {
-          edges_.push_back({ begin->triangle(), lower, begin->upper });
-        }
-      });
     std::sort(edges_.begin(), edges_.end());
-    for (const Edge& edge : edges_)
+    for (const OpenEdge& edge : edges_)
     {
       ends_.emplace_back(edge.lower, edge.upper);
       ends_.emplace_back(edge.upper, edge.lower);
@@ -56,13 +65,13 @@ public:
     std::sort(ends_.begin(), ends_.end());
   }
 
-  const std::vector<Edge>& edges() const { return edges_; }
+  const std::vector<OpenEdge>& edges() const { return edges_; } // by triangle
 
   // Those of a triangle.
-  std::pair<const Edge*, const Edge*> of(std::uint32_t triangle) const
+  std::pair<const OpenEdge*, const OpenEdge*> of(std::uint32_t triangle) const
   {
-    const auto range = std::equal_range(edges_.begin(), edges_.end(), Edge{ triangle, 0, 0 },
-      [](const Edge& a, const Edge& b) { return a.triangle < b.triangle; });
+    const auto range = std::equal_range(edges_.begin(), edges_.end(), OpenEdge{ triangle, 0, 0 },
+      [](const OpenEdge& a, const OpenEdge& b) { return a.triangle < b.triangle; });
     return { edges_.data() + (range.first - edges_.begin()),
       edges_.data() + (range.second - edges_.begin()) };
   }
@@ -118,7 +127,7 @@ public:
 
 private:
   const Surface& surface_;
-  std::vector<Edge> edges_;                                   // by triangle
+  std::vector<OpenEdge> edges_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_; // of edges, from either
 };
 
@@ -127,13 +136,23 @@ bool isIn(const std::vector<std::uint32_t>& sorted, std::uint32_t vertex)
   return std::binary_search(sorted.begin(), sorted.end(), vertex);
 }
 
-// The triangles with open edges, by place.
+// Where corners go: those that are not listed stay.
+using Moves = std::map<std::uint32_t, std::uint32_t>;
+
+std::uint32_t goalOf(const Moves& moves, std::uint32_t vertex)
+{
+  const auto found = moves.find(vertex);
+  return found != moves.end() ? found->second : vertex;
+}
+
+// The triangles with open edges, by place; their corners have moved.
 class RimTriangles
 {
 public:
-  RimTriangles(const Surface& surface, const OpenRims& rims, Execution& execution)
+  RimTriangles(
+    const Surface& surface, const OpenRims& rims, const Moves& moves, Execution& execution)
     : numbers_(numbersOf(rims))
-    , tree_(only(surface, numbers_), execution)
+    , tree_(only(surface, numbers_, moves), execution)
   {
   }
 
@@ -149,7 +168,7 @@ private:
   static std::vector<std::uint32_t> numbersOf(const OpenRims& rims)
   {
     std::vector<std::uint32_t> numbers;
-    for (const OpenRims::Edge& edge : rims.edges())
+    for (const OpenEdge& edge : rims.edges())
     {
       if (numbers.empty() || numbers.back() != edge.triangle)
       {
@@ -159,13 +178,18 @@ private:
     return numbers;
   }
 
-  static Surface only(const Surface& surface, const std::vector<std::uint32_t>& numbers)
+  static Surface only(
+    const Surface& surface, const std::vector<std::uint32_t>& numbers, const Moves& moves)
   {
     Surface result;
     result.vertices = surface.vertices;
     for (const std::uint32_t t : numbers)
     {
       result.triangles.push_back(surface.triangles[t]);
+      for (std::uint32_t& vertex : result.triangles.back())
+      {
+        vertex = goalOf(moves, vertex);
+      }
     }
     return result;
   }
@@ -189,16 +213,23 @@ public:
 
   JoinedCracks join()
   {
-    const std::size_t before = OpenRims(surface_, execution_).edges().size();
-    if (before == 0)
+    const std::vector<OpenEdge> open = openEdgesOf(surface_, execution_);
+    if (open.empty())
     {
       return {};
     }
-    joinCorners();
-    divideEdges();
-    const std::size_t after = OpenRims(surface_, execution_).edges().size();
-    result_.edges = before > after ? before - after : 0;
-    return result_;
+    findMoves(OpenRims(surface_, open));
+    findPoints(OpenRims(surface_, movedEdges(open)));
+    keepThoseOfEdgesThatMeet(open);
+    if (moves_.empty() && onEdge_.empty())
+    {
+      return {};
+    }
+    JoinedCracks result = widest();
+    divide();
+    const std::size_t left = openEdgesOf(surface_, execution_).size();
+    result.edges = open.size() > left ? open.size() - left : 0;
+    return result;
   }
 
 private:
@@ -236,7 +267,7 @@ private:
   template <class Visitor>
   void forEachMeeting(const OpenRims& rims, Visitor&& visit) const
   {
-    const RimTriangles triangles(surface_, rims, execution_);
+    const RimTriangles triangles(surface_, rims, moves_, execution_);
     const std::map<std::uint32_t, std::int32_t> regions = regionsOf(rims);
     for (const std::uint32_t corner : rims.corners())
     {
@@ -245,7 +276,7 @@ private:
       const std::vector<std::uint32_t> near = rims.near(corner, SameSide * width);
       triangles.forEachNear(place, width, [&](std::uint32_t t) {
         const auto [begin, end] = rims.of(t);
-        for (const OpenRims::Edge* edge = begin; edge != end; ++edge)
+        for (const OpenEdge* edge = begin; edge != end; ++edge)
         {
           if (regionOf(t) == regions.at(corner) && !isIn(near, edge->lower) &&
             !isIn(near, edge->upper))
@@ -260,7 +291,7 @@ private:
   std::map<std::uint32_t, std::int32_t> regionsOf(const OpenRims& rims) const
   {
     std::map<std::uint32_t, std::int32_t> regions;
-    for (const OpenRims::Edge& edge : rims.edges())
+    for (const OpenEdge& edge : rims.edges())
     {
       regions.emplace(edge.lower, regionOf(edge.triangle));
       regions.emplace(edge.upper, regionOf(edge.triangle));
@@ -269,9 +300,8 @@ private:
   }
 
   // The nearest first; a corner goes to the lowest of those that it is joined with.
-  void joinCorners()
+  void findMoves(const OpenRims& rims)
   {
-    const OpenRims rims(surface_, execution_);
     DisjointSets sets(surface_.vertices.size());
     std::map<std::uint32_t, std::vector<std::uint32_t>> members; // of each set
     const auto membersOf = [&](std::uint32_t root) -> std::vector<std::uint32_t>& {
@@ -296,9 +326,7 @@ private:
       members.erase(b);
       sets.unite(a, b);
       membersOf(sets.find(a)) = std::move(all);
-      tell(std::sqrt(pair.distance), placeOf(pair.upper));
     }
-    std::map<std::uint32_t, std::uint32_t> moved;
     for (const auto& [root, all] : members)
     {
       const std::uint32_t lowest = *std::min_element(all.begin(), all.end());
@@ -306,17 +334,16 @@ private:
       {
         if (vertex != lowest)
         {
-          moved.emplace(vertex, lowest);
+          moves_.emplace(vertex, lowest);
         }
       }
     }
-    renumber(moved);
   }
 
   std::vector<Pair> pairsOf(const OpenRims& rims) const
   {
     std::vector<Pair> pairs;
-    forEachMeeting(rims, [&](std::uint32_t corner, const OpenRims::Edge& edge, double width) {
+    forEachMeeting(rims, [&](std::uint32_t corner, const OpenEdge& edge, double width) {
       for (const std::uint32_t end : { edge.lower, edge.upper })
       {
         const Vector way = minus(surface_.vertices[end], surface_.vertices[corner]);
@@ -343,56 +370,164 @@ private:
     });
   }
 
-  void renumber(const std::map<std::uint32_t, std::uint32_t>& moved)
+  // Those that are open still where corners have moved.
+  std::vector<OpenEdge> movedEdges(const std::vector<OpenEdge>& open) const
   {
-    if (moved.empty())
+    std::map<std::array<std::uint32_t, 2>, std::pair<std::uint32_t, bool>> edges;
+    for (const OpenEdge& edge : open)
     {
-      return;
-    }
-    for (auto& triangle : surface_.triangles)
-    {
-      for (std::uint32_t& vertex : triangle)
+      const std::uint32_t a = goalOf(moves_, edge.lower);
+      const std::uint32_t b = goalOf(moves_, edge.upper);
+      if (a != b)
       {
-        const auto found = moved.find(vertex);
-        vertex = found != moved.end() ? found->second : vertex;
+        const auto [known, isNew] = edges.emplace(
+          std::array{ std::min(a, b), std::max(a, b) }, std::pair{ edge.triangle, true });
+        known->second.second = isNew || !known->second.second;
       }
     }
+    std::vector<OpenEdge> result;
+    for (const auto& [ends, use] : edges)
+    {
+      if (use.second)
+      {
+        result.push_back({ use.first, ends[0], ends[1] });
+      }
+    }
+    return result;
   }
 
-  // Leads open edges through the corners near them.
-  void divideEdges()
+  // Open edges go through the corners near them.
+  void findPoints(const OpenRims& rims)
   {
-    EdgePoints onEdge;
-    const OpenRims rims(surface_, execution_);
-    forEachMeeting(rims, [&](std::uint32_t corner, const OpenRims::Edge& edge, double width) {
+    forEachMeeting(rims, [&](std::uint32_t corner, const OpenEdge& edge, double width) {
       const Vector from = placeOf(edge.lower);
       const Vector way = minus(placeOf(edge.upper), from);
-      const Vector to = minus(placeOf(corner), from);
-      const double along = dot(way, to) / std::max(dot(way, way), 1.);
-      const double distance = norm(minus(to, scaled(way, along)));
-      if (along > 0 && along < 1 && distance <= width)
+      const double along = dot(way, minus(placeOf(corner), from)) / std::max(dot(way, way), 1.);
+      if (along > 0 && along < 1 && distanceOf(corner, edge.lower, edge.upper) <= width)
       {
-        onEdge[{ edge.lower, edge.upper }].emplace(along, corner);
-        tell(distance, placeOf(corner));
+        onEdge_[{ edge.lower, edge.upper }].emplace(along, corner);
       }
     });
-    if (!onEdge.empty())
+  }
+
+  // Of a corner from the line through two others.
+  double distanceOf(std::uint32_t corner, std::uint32_t a, std::uint32_t b) const
+  {
+    const Vector way = minus(placeOf(b), placeOf(a));
+    const Vector to = minus(placeOf(corner), placeOf(a));
+    return norm(minus(to, scaled(way, dot(way, to) / std::max(dot(way, way), 1.))));
+  }
+
+  // The parts of an open edge: its corners in turn.
+  std::vector<std::uint32_t> chainOf(const OpenEdge& edge) const
+  {
+    const std::uint32_t from = goalOf(moves_, edge.lower);
+    const std::uint32_t to = goalOf(moves_, edge.upper);
+    std::vector<std::uint32_t> chain{ from };
+    if (from != to)
     {
-      divide(onEdge);
+      const std::vector<std::uint32_t> between = pointsOn(onEdge_, from, to);
+      chain.insert(chain.end(), between.begin(), between.end());
+      chain.push_back(to);
+    }
+    return chain;
+  }
+
+  // A corner alone that is near an edge leaves it as it is: only where edges run along each other they are joined.
+  void keepThoseOfEdgesThatMeet(const std::vector<OpenEdge>& open)
+  {
+    std::map<std::array<std::uint32_t, 2>, int> uses;
+    const auto forEachPart = [&](const OpenEdge& edge, auto&& visit) {
+      const std::vector<std::uint32_t> chain = chainOf(edge);
+      for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      {
+        visit(std::array{ std::min(chain[i], chain[i + 1]), std::max(chain[i], chain[i + 1]) });
+      }
+    };
+    for (const OpenEdge& edge : open)
+    {
+      forEachPart(edge, [&](const auto& part) { ++uses[part]; });
+    }
+    std::set<std::uint32_t> kept;
+    for (const auto& [part, count] : uses)
+    {
+      if (count > 1)
+      {
+        kept.insert(part.begin(), part.end());
+      }
+    }
+    keepEndsOfDividedEdges(kept);
+    for (auto move = moves_.begin(); move != moves_.end();)
+    {
+      move = kept.count(move->second) > 0 ? std::next(move) : moves_.erase(move);
+    }
+    for (auto edge = onEdge_.begin(); edge != onEdge_.end();)
+    {
+      for (auto point = edge->second.begin(); point != edge->second.end();)
+      {
+        point = kept.count(point->second) > 0 ? std::next(point) : edge->second.erase(point);
+      }
+      edge = edge->second.empty() ? onEdge_.erase(edge) : std::next(edge);
     }
   }
 
-  void divide(const EdgePoints& onEdge)
+  // Edges are divided as they are where their ends have moved.
+  void keepEndsOfDividedEdges(std::set<std::uint32_t>& kept) const
+  {
+    std::size_t before = 0;
+    while (before != kept.size())
+    {
+      before = kept.size();
+      for (const auto& [ends, points] : onEdge_)
+      {
+        if (std::any_of(points.begin(), points.end(),
+              [&](const auto& point) { return kept.count(point.second) > 0; }))
+        {
+          kept.insert(ends.begin(), ends.end());
+        }
+      }
+    }
+  }
+
+  JoinedCracks widest() const
+  {
+    JoinedCracks result;
+    const auto tell = [&](double distance, std::uint32_t corner) {
+      if (distance > result.width)
+      {
+        result.width = distance;
+        result.place = placeOf(corner);
+      }
+    };
+    for (const auto& [from, to] : moves_)
+    {
+      tell(norm(minus(placeOf(from), placeOf(to))), from);
+    }
+    for (const auto& [ends, points] : onEdge_)
+    {
+      for (const auto& [along, corner] : points)
+      {
+        tell(distanceOf(corner, ends[0], ends[1]), corner);
+      }
+    }
+    return result;
+  }
+
+  void divide()
   {
     std::vector<std::array<std::uint32_t, 3>> parts;
     const std::size_t count = surface_.triangles.size();
     for (std::size_t t = 0; t < count; ++t)
     {
-      const std::array<std::uint32_t, 3> c = surface_.triangles[t];
+      std::array<std::uint32_t, 3> c = surface_.triangles[t];
+      for (std::uint32_t& vertex : c)
+      {
+        vertex = goalOf(moves_, vertex);
+      }
       parts.clear();
       divideAtEdges(c,
-        { pointsOn(onEdge, c[0], c[1]), pointsOn(onEdge, c[1], c[2]),
-          pointsOn(onEdge, c[2], c[0]) },
+        { pointsOn(onEdge_, c[0], c[1]), pointsOn(onEdge_, c[1], c[2]),
+          pointsOn(onEdge_, c[2], c[0]) },
         parts);
       surface_.triangles[t] = parts.front();
       for (std::size_t i = 1; i < parts.size(); ++i)
@@ -408,21 +543,13 @@ private:
     }
   }
 
-  void tell(double distance, const Vector& place)
-  {
-    if (distance > result_.width)
-    {
-      result_.width = distance;
-      result_.place = place;
-    }
-  }
-
   Surface& surface_;
   const Meshlines& planes_;
   double width_; // levels; 0: by the boxes
   double partOfBox_;
   Execution& execution_;
-  JoinedCracks result_;
+  Moves moves_;
+  EdgePoints onEdge_; // of open edges whose ends have moved
 };
 
 }
