@@ -48,6 +48,15 @@ std::vector<OpenEdge> openEdgesOf(const Surface& surface, Execution& execution)
   return open;
 }
 
+// Where corners go: those that are not listed stay.
+using Moves = std::map<std::uint32_t, std::uint32_t>;
+
+std::uint32_t goalOf(const Moves& moves, std::uint32_t vertex)
+{
+  const auto found = moves.find(vertex);
+  return found != moves.end() ? found->second : vertex;
+}
+
 // The rims that open edges form.
 class OpenRims
 {
@@ -63,6 +72,17 @@ public:
       ends_.emplace_back(edge.upper, edge.lower);
     }
     std::sort(ends_.begin(), ends_.end());
+    for (const OpenEdge& edge : edges_)
+    {
+      for (const std::uint32_t corner : surface.triangles[edge.triangle])
+      {
+        for (const std::uint32_t other : surface.triangles[edge.triangle])
+        {
+          besides_.emplace_back(corner, other);
+        }
+      }
+    }
+    std::sort(besides_.begin(), besides_.end());
   }
 
   const std::vector<OpenEdge>& edges() const { return edges_; } // by triangle
@@ -88,6 +108,12 @@ public:
       }
     }
     return all;
+  }
+
+  // Whether two are corners of one triangle with an open edge, as are those of a narrow strip, which is no crack.
+  bool areOfOneTriangle(std::uint32_t a, std::uint32_t b) const
+  {
+    return std::binary_search(besides_.begin(), besides_.end(), std::pair{ a, b });
   }
 
   // The corners at most `length` along rims from one, which is the first; in order then.
@@ -129,20 +155,13 @@ private:
   const Surface& surface_;
   std::vector<OpenEdge> edges_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_; // of edges, from either
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>
+    besides_; // corners of one triangle with an open edge
 };
 
 bool isIn(const std::vector<std::uint32_t>& sorted, std::uint32_t vertex)
 {
   return std::binary_search(sorted.begin(), sorted.end(), vertex);
-}
-
-// Where corners go: those that are not listed stay.
-using Moves = std::map<std::uint32_t, std::uint32_t>;
-
-std::uint32_t goalOf(const Moves& moves, std::uint32_t vertex)
-{
-  const auto found = moves.find(vertex);
-  return found != moves.end() ? found->second : vertex;
 }
 
 // The triangles with open edges, by place; their corners have moved.
@@ -218,17 +237,16 @@ public:
     {
       return {};
     }
-    findMoves(OpenRims(surface_, open));
-    findPoints(OpenRims(surface_, movedEdges(open)));
-    keepThoseOfEdgesThatMeet(open);
-    if (moves_.empty() && onEdge_.empty())
-    {
-      return {};
-    }
+    const OpenRims given(surface_, open);
+    findMoves(given);
+    findPoints(OpenRims(surface_, movedEdges(open)), given);
+    const std::size_t met = keepThoseOfEdgesThatMeet(open);
     JoinedCracks result = widest();
-    divide();
-    const std::size_t left = openEdgesOf(surface_, execution_).size();
-    result.edges = open.size() > left ? open.size() - left : 0;
+    result.edges = met;
+    if (met > 0)
+    {
+      divide();
+    }
     return result;
   }
 
@@ -347,7 +365,7 @@ private:
       for (const std::uint32_t end : { edge.lower, edge.upper })
       {
         const Vector way = minus(surface_.vertices[end], surface_.vertices[corner]);
-        if (dot(way, way) <= width * width)
+        if (dot(way, way) <= width * width && !rims.areOfOneTriangle(corner, end))
         {
           pairs.push_back({ dot(way, way), std::min(corner, end), std::max(corner, end) });
         }
@@ -365,8 +383,9 @@ private:
     return std::any_of(some.begin(), some.end(), [&](std::uint32_t corner) {
       const std::vector<std::uint32_t> near =
         rims.near(corner, SameSide * widthAt(placeOf(corner)));
-      return std::any_of(
-        others.begin(), others.end(), [&](std::uint32_t other) { return isIn(near, other); });
+      return std::any_of(others.begin(), others.end(), [&](std::uint32_t other) {
+        return isIn(near, other) || rims.areOfOneTriangle(corner, other);
+      });
     });
   }
 
@@ -397,13 +416,29 @@ private:
   }
 
   // Open edges go through the corners near them.
-  void findPoints(const OpenRims& rims)
+  void findPoints(const OpenRims& rims, const OpenRims& given)
   {
+    std::map<std::uint32_t, std::vector<std::uint32_t>> joined; // corners, by where they have gone
+    for (const auto& [from, to] : moves_)
+    {
+      joined[to].push_back(from);
+    }
+    const auto isOfStrip = [&](std::uint32_t corner, const OpenEdge& edge) {
+      std::vector<std::uint32_t> all =
+        joined.count(corner) > 0 ? joined.at(corner) : std::vector<std::uint32_t>();
+      all.push_back(corner);
+      const auto& ends = surface_.triangles[edge.triangle];
+      return std::any_of(all.begin(), all.end(), [&](std::uint32_t one) {
+        return std::any_of(ends.begin(), ends.end(),
+          [&](std::uint32_t end) { return given.areOfOneTriangle(one, end); });
+      });
+    };
     forEachMeeting(rims, [&](std::uint32_t corner, const OpenEdge& edge, double width) {
       const Vector from = placeOf(edge.lower);
       const Vector way = minus(placeOf(edge.upper), from);
       const double along = dot(way, minus(placeOf(corner), from)) / std::max(dot(way, way), 1.);
-      if (along > 0 && along < 1 && distanceOf(corner, edge.lower, edge.upper) <= width)
+      if (along > 0 && along < 1 && distanceOf(corner, edge.lower, edge.upper) <= width &&
+        !isOfStrip(corner, edge))
       {
         onEdge_[{ edge.lower, edge.upper }].emplace(along, corner);
       }
@@ -433,8 +468,9 @@ private:
     return chain;
   }
 
-  // A corner alone that is near an edge leaves it as it is: only where edges run along each other they are joined.
-  void keepThoseOfEdgesThatMeet(const std::vector<OpenEdge>& open)
+  // A corner alone that is near an edge leaves it as it is: only where edges run along each other they are joined. Returns how
+  // many do.
+  std::size_t keepThoseOfEdgesThatMeet(const std::vector<OpenEdge>& open)
   {
     std::map<std::array<std::uint32_t, 2>, int> uses;
     const auto forEachPart = [&](const OpenEdge& edge, auto&& visit) {
@@ -449,12 +485,18 @@ private:
       forEachPart(edge, [&](const auto& part) { ++uses[part]; });
     }
     std::set<std::uint32_t> kept;
-    for (const auto& [part, count] : uses)
+    std::size_t met = 0;
+    for (const OpenEdge& edge : open)
     {
-      if (count > 1)
-      {
-        kept.insert(part.begin(), part.end());
-      }
+      bool meets = false;
+      forEachPart(edge, [&](const auto& part) {
+        if (uses[part] > 1)
+        {
+          kept.insert(part.begin(), part.end());
+          meets = true;
+        }
+      });
+      met += meets ? 1 : 0;
     }
     keepEndsOfDividedEdges(kept);
     for (auto move = moves_.begin(); move != moves_.end();)
@@ -469,6 +511,7 @@ private:
       }
       edge = edge->second.empty() ? onEdge_.erase(edge) : std::next(edge);
     }
+    return met;
   }
 
   // Edges are divided as they are where their ends have moved.

@@ -28,7 +28,7 @@ struct CrackSpec
 
 struct JoinedCracks
 {
-  std::size_t edges = 0; // that were open and have another triangle now
+  std::size_t edges = 0; // that were open and have another triangle now, at least on a part
   double width = 0;      // levels: how far a corner was at most from what it was joined with
   Vector place{};        // levels: of that corner
 };

@@ -153,9 +153,13 @@ TEST(Resources, ThousandsOfLooseTriangles)
   Soup soup;
   for (std::uint32_t t = 0; t < 20000; ++t)
   {
-    const Vector p{ at(random), at(random), at(random) };
+    const auto any = [&] { return Vector{ at(random), at(random), at(random) }; };
+    // Each in a cell of its own, further from others than cracks are wide (Cracks.h).
+    constexpr std::uint32_t Side = 28;
+    const Vector cell{ double(t % Side), double(t / Side % Side), double(t / Side / Side) };
+    const Vector p = scaled(plus(cell, scaled(any(), 0.5)), 1. / Side);
     soup.points.insert(
-      soup.points.end(), { p, { p[0] + 0.01, p[1], p[2] + 0.003 }, { p[0], p[1] + 0.01, p[2] } });
+      soup.points.end(), { p, plus(p, scaled(any(), 0.01)), plus(p, scaled(any(), 0.01)) });
     soup.triangles.push_back({ 3 * t, 3 * t + 1, 3 * t + 2 });
   }
   const PreparedSurface prepared = prepare(soup, cellsOf(0.05));

@@ -246,3 +246,19 @@ TEST(Cracks, AWiderOneStaysOpenUnlessAskedFor)
   EXPECT_GT(prepared.cracks.width * prepared.surface.lattice.step(), 0.005);
   EXPECT_LE(prepared.cracks.width * prepared.surface.lattice.step(), 0.02);
 }
+
+TEST(Cracks, ANarrowStripIsNone)
+{
+  Soup strip;
+  for (std::uint32_t i = 0; i <= 20; ++i)
+  {
+    strip.points.insert(strip.points.end(), { { i / 20., 0, 0 }, { i / 20., 2e-4, 1e-4 } });
+  }
+  for (std::uint32_t i = 0; i < 40; i += 2)
+  {
+    strip.triangles.push_back({ i, i + 1, i + 2 });
+    strip.triangles.push_back({ i + 1, i + 3, i + 2 });
+  }
+  const PreparedSurface prepared = prepare(strip.add(cube().moved({ 2, 0, 0 })), cellsOf(0.1));
+  EXPECT_EQ(prepared.cracks.edges, 0U);
+}
