@@ -5,15 +5,15 @@
  *
  * Input 0: a surface (vtkPolyData, or blocks of it, which become one piece of triangles, and of the lines that
  * are their sharp edges, if those are known: cell array SharpEdge, as in vtkCartesianMesher). Input 1, optional: a selection
- * (vtkSelection) of its cells, for what Selected Cells would say. Output: the surface, with the cell arrays BoundaryId (int) and BoundaryName (string), which
- * replace STLSolidLabeling, and field data with one value per boundary: BoundaryIds, BoundaryNames, BoundaryFaceCounts,
+ * (vtkSelection) of its cells, beside SelectedCells. Output: the surface, with the cell arrays BoundaryId (int) and
+ * BoundaryName (string), which replace STLSolidLabeling, and field data with one value per boundary: BoundaryIds, BoundaryNames, BoundaryFaceCounts,
  * BoundaryAreas (in square units of the surface).
  *
  * Boundaries that the surface has are divided further: no part belongs to two of them. A boundary that is not divided
  * keeps its name. How it is divided and named is in Kernel/Surface/SurfaceSplit.h and Conversion/SplitNames.h.
  *
  * Errors: EmptySurface, BadCoordinate, MissingArray (Boundary Array), BadParameter (a name that is no boundary's, or twice;
- * a selection that has no cell of the surface, or no name).
+ * a selection that has no cell of the surface, or no name; a selected cell that the surface does not have).
  *
  * @sa vtkCartesianMesher vtkNamedSTLReader vtkNamedSTLWriter
  */
