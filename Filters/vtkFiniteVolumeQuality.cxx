@@ -104,14 +104,18 @@ void SetFaces(const cartesian::CellFaces& cells, const cartesian::FaceList& face
 }
 
 // By the cell array Layer.
-void ForgiveLayers(vtkUnstructuredGrid* grid, std::vector<std::uint32_t>& failures)
+void ForgiveLayers(vtkUnstructuredGrid* grid, cartesian::Quality& quality)
 {
   vtkDataArray* const layers = grid->GetCellData()->GetArray("Layer");
-  for (std::size_t cell = 0; layers && cell < failures.size(); ++cell)
+  for (std::size_t cell = 0; layers && cell < quality.cellFailures.size(); ++cell)
   {
-    if (layers->GetComponent(static_cast<vtkIdType>(cell), 0) > 0)
+    const bool isLayer = layers->GetComponent(static_cast<vtkIdType>(cell), 0) > 0;
+    for (std::size_t m = 0; isLayer && m < cartesian::MeasureCount; ++m)
     {
-      failures[cell] &= ~cartesian::GoodInLayers;
+      if (cartesian::isGoodInLayers(static_cast<cartesian::Measure>(m), quality.cells[m][cell]))
+      {
+        quality.cellFailures[cell] &= ~(1U << m);
+      }
     }
   }
 }
@@ -172,7 +176,7 @@ int vtkFiniteVolumeQuality::RequestData(
     std::vector<double> copy;
     cartesian::Quality quality = cartesian::measureQuality(
       cartesian::coordinatesOf(grid, copy), cells, list, execution, limits);
-    ForgiveLayers(grid, quality.cellFailures);
+    ForgiveLayers(grid, quality);
     mesh->ShallowCopy(grid);
     SetMeasures(quality.cells, quality.cellFailures, mesh->GetCellData());
     SetFaces(cells, list, grid, faces);

@@ -36,7 +36,7 @@
  * TotalVolume, BoundaryArea, and for each array above its name with Failures (a number of cells)
  * and with Max or Min before it, the worst of all cells.
  *
- * Cells of layers (cell array Layer above 0) do not fail in Determinant and AspectRatio.
+ * Cells of layers (cell array Layer above 0) do not fail in Determinant and AspectRatio, nor in InnerAngle below 89.999.
  *
  * Cells of less than three dimensions have NaN and no failures. On several processes each measures its own part of
  * the mesh and requests a layer of ghost cells, which count as neighbours only; without them, faces between parts are

@@ -53,14 +53,14 @@ void SelectFailing(
   cartesian::selectCells(mesh, isChosen, output);
 }
 
-void SelectWorst(vtkUnstructuredGrid* mesh, const cartesian::MeasureSpec& spec, int number,
-  vtkUnstructuredGrid* output)
+void SelectWorst(
+  vtkUnstructuredGrid* mesh, cartesian::Measure measure, int number, vtkUnstructuredGrid* output)
 {
   vtkNew<vtkIntArray> rank;
   rank->SetName("Rank");
   rank->SetNumberOfValues(mesh->GetNumberOfCells());
   rank->FillValue(0);
-  const std::vector<vtkIdType> cells = cartesian::rankedCells(mesh, spec);
+  const std::vector<vtkIdType> cells = cartesian::rankedCells(mesh, measure);
   const std::size_t count = std::min(cells.size(), static_cast<std::size_t>(number));
   std::vector<unsigned char> isChosen(static_cast<std::size_t>(mesh->GetNumberOfCells()));
   for (std::size_t i = 0; i < count; ++i)
@@ -124,8 +124,8 @@ int vtkMeshSummary::RequestData(
   AddText("Text", this->Text, vtkTable::GetData(output, 0));
   if (this->ErrorCode == 0)
   {
-    SelectWorst(mesh, cartesian::MeasureSpecs[static_cast<std::size_t>(this->Measure)],
-      this->NumberOfWorstCells, vtkUnstructuredGrid::GetData(output, 1));
+    SelectWorst(mesh, static_cast<cartesian::Measure>(this->Measure), this->NumberOfWorstCells,
+      vtkUnstructuredGrid::GetData(output, 1));
     SelectFailing(mesh, check, vtkUnstructuredGrid::GetData(output, 2));
   }
   return 1;

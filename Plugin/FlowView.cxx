@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlowView.h"
 
+#include "MiddleSlice.h"
 #include "PortHints.h"
 #include "Registration.h"
 #include "Window.h"
@@ -76,7 +77,7 @@ Direction besideOf(vtkSMProxy* source, const Direction& flow, const Direction& u
   return beside;
 }
 
-void look(vtkSMRenderViewProxy* view, vtkSMProxy* source)
+void look(vtkSMRenderViewProxy* view, vtkSMSourceProxy* source)
 {
   const vtkSMPropertyHelper input(source, "Input");
   auto* const body = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
@@ -99,6 +100,12 @@ void look(vtkSMRenderViewProxy* view, vtkSMProxy* source)
   std::array<double, 6> bounds;
   body->GetDataInformation(input.GetOutputPort())->GetBounds(bounds.data());
   view->ResetCamera(bounds.data());
+  if (choiceOf(source, "Half") == 0) // else there is the plane of symmetry
+  {
+    const Direction middle{ (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2,
+      (bounds[4] + bounds[5]) / 2 };
+    showMiddleSlice(source, view, middle, beside);
+  }
 }
 
 void colourBy(vtkSMProxy* representation, const char* array)

@@ -70,11 +70,12 @@ std::array<double, 3> middleOf(vtkUnstructuredGrid* mesh, vtkIdType cell)
 using Place = std::array<double, 4>;
 
 // The worst cell of all processes, each of which must call this; false: there is none.
-bool worstPlace(vtkUnstructuredGrid* mesh, const MeasureSpec& spec, Place& worst)
+bool worstPlace(vtkUnstructuredGrid* mesh, Measure measure, Place& worst)
 {
+  const MeasureSpec& spec = MeasureSpecs[measure];
   const double none = std::nan("");
   Place mine{ none, 0, 0, 0 };
-  if (const std::vector<vtkIdType> cells = rankedCells(mesh, spec); !cells.empty())
+  if (const std::vector<vtkIdType> cells = rankedCells(mesh, measure); !cells.empty())
   {
     const auto [x, y, z] = middleOf(mesh, cells[0]);
     mine = { mesh->GetCellData()->GetArray(spec.name)->GetComponent(cells[0], 0), x, y, z };
@@ -121,16 +122,6 @@ double sum(double mine)
     processes->AllReduce(&mine, &sum, 1, vtkCommunicator::SUM_OP);
   }
   return sum;
-}
-
-bool isGoodInLayers(const std::string& measure)
-{
-  bool isGood = false;
-  for (std::size_t m = 0; m < MeasureCount; ++m)
-  {
-    isGood = isGood || ((GoodInLayers >> m & 1U) != 0 && measure == MeasureSpecs[m].name);
-  }
-  return isGood;
 }
 
 std::string cellCount(double count)
@@ -211,7 +202,8 @@ std::vector<WorstValue> worstValues(vtkUnstructuredGrid* mesh)
   {
     const MeasureSpec& spec = MeasureSpecs[m];
     Place worst;
-    if (worstPlace(mesh, spec, worst) && std::isfinite(worst[0]) && worst[0] != spec.best)
+    if (worstPlace(mesh, static_cast<Measure>(m), worst) && std::isfinite(worst[0]) &&
+      worst[0] != spec.best)
     {
       const double failing = field(mesh, std::string(spec.name) + "Failures");
       const bool isFailure = failing > 0 && (FailuresForSolvers >> m & 1U) != 0;
@@ -339,17 +331,21 @@ std::string textOf(Tell&& tell)
 }
 
 // Of cells, the worst first; ghosts and cells without a value do not count.
-std::vector<vtkIdType> rankedCells(vtkUnstructuredGrid* mesh, const MeasureSpec& spec)
+std::vector<vtkIdType> rankedCells(vtkUnstructuredGrid* mesh, Measure measure)
 {
+  const MeasureSpec& spec = MeasureSpecs[measure];
   vtkDataArray* values = mesh->GetCellData()->GetArray(spec.name);
   vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
-  vtkDataArray* const layers =
-    isGoodInLayers(spec.name) ? mesh->GetCellData()->GetArray("Layer") : nullptr;
+  vtkDataArray* const layers = mesh->GetCellData()->GetArray("Layer");
+  const auto isGood = [&](vtkIdType cell) {
+    return layers && layers->GetComponent(cell, 0) > 0 &&
+      isGoodInLayers(measure, values->GetComponent(cell, 0));
+  };
   std::vector<vtkIdType> cells;
   for (vtkIdType cell = 0; values && cell < values->GetNumberOfTuples(); ++cell)
   {
     if (!std::isnan(values->GetComponent(cell, 0)) && !(ghosts && ghosts->GetValue(cell) != 0) &&
-      !(layers && layers->GetComponent(cell, 0) > 0))
+      !isGood(cell))
     {
       cells.push_back(cell);
     }

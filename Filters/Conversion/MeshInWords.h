@@ -40,6 +40,6 @@ MeshInWords inWords(vtkUnstructuredGrid* mesh, const MeshCheck& check);
 
 // Of the cells of this process, the worst first; ghosts, cells without a value and, for what does them no harm, those of layers
 // do not count.
-std::vector<vtkIdType> rankedCells(vtkUnstructuredGrid* mesh, const MeasureSpec& spec);
+std::vector<vtkIdType> rankedCells(vtkUnstructuredGrid* mesh, Measure measure);
 
 }

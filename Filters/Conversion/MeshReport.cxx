@@ -207,7 +207,8 @@ private:
     const std::string measure = quality_->GetWorstMeasure();
     const auto* const spec = std::find_if(MeasureSpecs.begin(), MeasureSpecs.end(),
       [&](const MeasureSpec& known) { return known.name == measure; });
-    const std::vector<vtkIdType> ranked = rankedCells(mesh_, *spec);
+    const std::vector<vtkIdType> ranked =
+      rankedCells(mesh_, static_cast<Measure>(spec - MeasureSpecs.begin()));
     auto* failures = vtkUnsignedIntArray::SafeDownCast(mesh_->GetCellData()->GetArray("Failures"));
     std::vector<std::uint32_t> which;
     for (const vtkIdType cell : ranked)

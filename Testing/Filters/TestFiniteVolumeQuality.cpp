@@ -152,16 +152,16 @@ TEST(FiniteVolumeQuality, FlatCellsAreNotMeasured)
   EXPECT_NEAR(fieldValue(mesh, "TotalVolume"), 1.0 / 6, 1e-12);
 }
 
-TEST(FiniteVolumeQuality, GhostsAreNeighboursOnly)
+// Two hexahedra one upon the other along x, so thick, each of which leans along y by so much.
+void fillWithTwo(vtkUnstructuredGrid* grid, double thickness, double lean)
 {
-  vtkNew<vtkUnstructuredGrid> grid;
   vtkNew<vtkPoints> points;
   grid->Allocate(2);
   for (int x = 0; x < 3; ++x)
   {
     for (int i = 0; i < 4; ++i)
     {
-      points->InsertNextPoint(x, i % 2, i / 2);
+      points->InsertNextPoint(thickness * x, i % 2 + lean * x, i / 2);
     }
   }
   grid->SetPoints(points);
@@ -174,6 +174,35 @@ TEST(FiniteVolumeQuality, GhostsAreNeighboursOnly)
     }
     grid->InsertNextCell(VTK_HEXAHEDRON, 8, corners.data());
   }
+}
+
+// A face of these by 84 degrees.
+TEST(FiniteVolumeQuality, LayersMayLean)
+{
+  constexpr int Code = 16; // of InnerAngle
+  for (const int layer : { 0, 1 })
+  {
+    vtkNew<vtkUnstructuredGrid> grid;
+    fillWithTwo(grid, 0.01, 0.1);
+    vtkNew<vtkUnsignedCharArray> layers;
+    layers->SetName("Layer");
+    layers->InsertNextValue(static_cast<unsigned char>(layer));
+    layers->InsertNextValue(0);
+    grid->GetCellData()->AddArray(layers);
+    vtkNew<vtkFiniteVolumeQuality> quality;
+    quality->SetInputData(grid);
+    quality->Update();
+    auto* mesh = vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0));
+    EXPECT_NEAR(cellValue(mesh, "InnerAngle", 0), 84.29, 0.01);
+    EXPECT_EQ(static_cast<int>(cellValue(mesh, "Failures", 0)) & Code, layer == 0 ? Code : 0);
+    EXPECT_EQ(static_cast<int>(cellValue(mesh, "Failures", 1)) & Code, Code);
+  }
+}
+
+TEST(FiniteVolumeQuality, GhostsAreNeighboursOnly)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  fillWithTwo(grid, 1, 0);
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   ghosts->InsertNextValue(0);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the written Allrun makes of thin layers: how far 300 iterations bring it, and y+ on the walls with whole stacks.
+"""What the written Allrun makes of thin layers: how far 300 iterations bring it, and y+ on the walls.
 
 pvpython stackflow.py [CASE...] [--layers -1] [--first y1,1e-2] [--keep FOLDER] [--set PROPERTY=NUMBER...]
 
@@ -24,6 +24,7 @@ ITERATIONS = 300
 FLOWS = {"section": (50, 1.5e-5, 1), "ahmed half": (40, 1.5e-5, 1), "hull": (2, 1e-6, 1), "truck": (20, 1.5e-5, 1),
          "duct": (30000, 15, 0.001), "wing": (50, 1.5e-5, 1), "blade": (60, 1.5e-5, 1), "propeller": (5, 1e-6, 1), "car": (30, 1.5e-5, 1), "tee": (5, 1.5e-5, 1)}
 NEAR = 0.06  # of its first height, a whole stack
+MOST = 3  # y+, times the target
 
 
 def write(case, layers, first, folder, chosen):
@@ -49,7 +50,7 @@ def settled(folder):
 
 
 def y_plus(folder, case):
-    """Area with whole stacks, the mean of y+ there, and the share of it within a third of 1."""
+    """Area with whole stacks, the mean of y+ there, and the share of it within a third of 1; of the whole wall, the share with MOST or less."""
     mesh = Mesh(folder)
     files = foam.Files(folder)
     text = (folder / str(ITERATIONS) / "yPlus").read_text()
@@ -61,7 +62,8 @@ def y_plus(folder, case):
     values, areas = np.array(values, float), mesh.sizes[walls]
     heights = files.volumes()[files.owner[walls]] / areas
     weights = areas * (np.abs(heights / np.median(heights) - 1) < NEAR)
-    return weights.sum() / areas.sum(), np.average(values, weights=weights), np.average(np.abs(values - 1) < 1 / 3, weights=weights)
+    return (weights.sum() / areas.sum(), np.average(values, weights=weights), np.average(np.abs(values - 1) < 1 / 3, weights=weights),
+            np.average(values <= MOST, weights=areas))
 
 
 def main():
@@ -82,9 +84,10 @@ def main():
                 log = (folder / "log.simpleFoam").read_text()
                 residuals = re.findall(r"Solving for p, Initial residual = ([^,]+)", log)
                 value, change = settled(folder)
-                area, mean, share = y_plus(folder, case)
+                area, mean, share, near = y_plus(folder, case)
                 print(f"{case[0]:12} {options.layers:3} layers, first {first:>5}: {len(residuals)} iterations, residual of p {float(residuals[-1]):.1e}, "
-                      f"value {value:.5g} within {100 * change:.2f} %, y+ {mean:.2f} on {100 * area:.1f} %, {100 * share:.0f} % within a third of 1",
+                      f"value {value:.5g} within {100 * change:.2f} %, y+ {mean:.2f} on {100 * area:.1f} %, {100 * share:.0f} % within a third of 1; "
+                      f"at most {MOST} on {100 * near:.1f} % of the wall",
                       flush=True)
 
 

@@ -1,5 +1,5 @@
 """The first picture of external flow: the body fills the view, upright, seen from upstream; the sides of the box are invisible, the
-ground is not; defects are hidden without a legend until they are asked for, then coloured by name."""
+ground is not; cells are seen in the middle plane; defects are hidden without a legend until they are asked for, then coloured by name."""
 
 import json
 import pathlib
@@ -23,6 +23,8 @@ note = {
     "up": list(view.CameraViewUp), "position": list(view.CameraPosition), "focus": list(view.CameraFocalPoint), "angle": view.CameraViewAngle,
     "defects": [defects.Visibility, defects.ColorArrayName[1] or ""],
     "legends": [bar.Title for bar in view.Representations if bar.SMProxy.GetXMLName() == "ScalarBarWidgetRepresentation" and bar.Visibility],
+    "slice": [simple.GetRepresentation(simple.FindSource("MiddleSlice"), view).Visibility, list(simple.FindSource("MiddleSlice").Normal)],
+    "active": simple.GetActiveSource() == mesher,
     "opacity": dict(zip(colours.Annotations[::2], colours.IndexedOpacities)),
 }
 open("FOLDER/notes.txt", "a").write(json.dumps(note) + "\\n")
@@ -46,6 +48,7 @@ with Screen() as screen:
     assert away[1] < 0 and away[2] > 0, "upstream, from above"
     half = np.linalg.norm(BODY[1] - BODY[0]) / 2
     assert 0.5 < half / (np.linalg.norm(away) * np.sin(np.radians(first["angle"] / 2))) < 1.2, "the body fills the view"
+    assert first["slice"] == [1, [1, 0, 0]] and first["active"], "the panel stays the mesher's"
     opacity = first["opacity"]
     assert opacity["inlet"] == opacity["outlet"] == opacity["sides"] == 0 and opacity["ground"] == opacity["Hybrid"] == 1, opacity
     assert first["defects"] == [0, ""] and "DefectName" not in str(first["legends"]).replace(" ", ""), first

@@ -118,8 +118,13 @@ struct Quality
 constexpr std::uint32_t SlowMeasures =
   1U << TetQuality | 1U << StarTriangulation | 1U << OpenEdges | 1U << Concavity;
 
-// Thin prisms of layers are good cells, though they are long and their inner faces are nearly all in one direction.
-constexpr std::uint32_t GoodInLayers = 1U << AspectRatio | 1U << Determinant;
+// Thin prisms of layers are good cells, though they are long, their inner faces are nearly all in one direction, and a wall that
+// is not flat tilts these as far as their pyramids have a volume.
+constexpr bool isGoodInLayers(Measure measure, double value)
+{
+  return measure == AspectRatio || measure == Determinant ||
+    (measure == InnerAngle && value < LayerLimits::InnerAngle);
+}
 
 // `points`: x, y, z of each, any unit. `faces`: those of `cells`, as listFaces gives them. `leftOut`: bits of
 // SlowMeasures, whose values are the best then.
