@@ -116,6 +116,23 @@ cartesian::FlowRefinement vtkCartesianGridAlgorithm::FlowOf(
     : cartesian::FlowRefinement();
 }
 
+int vtkCartesianGridAlgorithm::DepthAtSurface(
+  const cartesian::SurfaceFromVTK& source, const cartesian::Options& options) const
+{
+  int depth = std::max(this->RefinementDepth, this->FlowOf(source, options).depth);
+  for (const int ofBoundary : this->BoundaryDepths)
+  {
+    depth = std::max(depth, ofBoundary);
+  }
+  for (const std::array<double, 4>& row : this->BoundaryRefinements)
+  {
+    depth = std::max(depth, static_cast<int>(std::min(row[1], double(cartesian::DeepestLevel))));
+  }
+  const bool isBySize = this->CurvatureAngle > 0 || this->CellsAcrossGaps > 0;
+  return std::max({ depth, this->FeatureDepth, isBySize ? this->LargestDepth : 0,
+    this->RefinedBoundaries.empty() ? 0 : this->RefinedBoundaryDepth });
+}
+
 void vtkCartesianGridAlgorithm::AddFlowRefinement(const cartesian::SurfaceFromVTK& source,
   cartesian::Options& options, std::vector<RegionSurface>& regions) const
 {
@@ -406,6 +423,7 @@ vtkCartesianGridAlgorithm::Asked vtkCartesianGridAlgorithm::Ask(
   const cartesian::SurfaceFromVTK& surface)
 {
   Asked asked{ this->RegionSurfaces(this->OptionalRegions()), this->MakeOptions() };
+  asked.options.depthAtSurface = this->DepthAtSurface(surface, asked.options);
   this->AddBoundaryOptions(surface, asked.options);
   vtkDataObject* const sizes =
     this->GetNumberOfInputPorts() > 2 ? this->GetInputDataObject(2, 0) : nullptr;
@@ -467,7 +485,26 @@ cartesian::SurfaceFromVTK vtkCartesianGridAlgorithm::ReadWithSides(vtkDataObject
   {
     surface.addSides(cartesian::namesOfSides(domain));
   }
+  this->AddGaps(surface);
   return surface;
+}
+
+void vtkCartesianGridAlgorithm::AddGaps(cartesian::SurfaceFromVTK& surface)
+{
+  cartesian::Options options = this->MakeOptions();
+  if (options.closeGaps == 0)
+  {
+    return;
+  }
+  options.domain.sides = surface.sides();
+  options.depthAtSurface = this->DepthAtSurface(surface, options);
+  options.baffles.clear();
+  for (const std::int32_t baffle : cartesian::baffleBoundaries(this->Boundaries(), surface.names()))
+  {
+    options.baffles.push_back({ baffle, baffle });
+  }
+  cartesian::Execution execution(this->NumberOfThreads);
+  surface.addGaps(cartesian::closedGaps(surface.view(), options, execution));
 }
 
 cartesian::PreparedSurface vtkCartesianGridAlgorithm::Prepare(
@@ -475,11 +512,16 @@ cartesian::PreparedSurface vtkCartesianGridAlgorithm::Prepare(
 {
   cartesian::Options options = this->MakeOptions();
   options.domain.sides = surface.sides();
+  options.depthAtSurface = this->DepthAtSurface(surface, options);
   cartesian::PreparedSurface prepared =
     cartesian::prepareSurface(surface.view(), options, execution, parts);
-  const std::string leftOut = surface.describeLeftOut();
-  const std::string flaws = cartesian::describeFlaws(prepared, surface.cells(), surface.names());
-  this->Warn(leftOut + (leftOut.empty() || flaws.empty() ? "" : "\n") + flaws);
+  std::string text;
+  for (const std::string& part : { surface.describeLeftOut(), surface.describeGaps(),
+         cartesian::describeFlaws(prepared, surface.cells(), surface.names()) })
+  {
+    text += (text.empty() || part.empty() ? "" : "\n") + part;
+  }
+  this->Warn(text);
   return prepared;
 }
 
@@ -490,13 +532,16 @@ void vtkCartesianGridAlgorithm::Inspect(const cartesian::PreparedSurface& prepar
   if (prepared.surface.walls.any())
   {
     // Triangles between regions are others than the user's: what was closed is listed with those.
-    cartesian::toVTK(cartesian::listContacts(prepared.contacts, prepared.surface.lattice),
-      surface.cells(), defects, execution);
+    cartesian::SurfaceDefects closed =
+      cartesian::listContacts(prepared.contacts, prepared.surface.lattice);
+    surface.listGaps(closed);
+    cartesian::toVTK(closed, surface.cells(), defects, execution);
     return;
   }
-  const cartesian::SurfaceDefects found = cartesian::findDefects(
-    prepared.inspected(), prepared.trianglesGiven(), prepared.repair, prepared.planes, execution);
+  cartesian::SurfaceDefects found = cartesian::findDefects(prepared.inspected(),
+    prepared.trianglesGiven(), prepared.repair, prepared.cracks, prepared.planes, execution);
   const std::vector<vtkIdType> cells = cartesian::cellsOf(prepared.inspected(), surface.cells());
+  surface.listGaps(found);
   cartesian::toVTK(found, cells, defects, execution);
   this->Warn(cartesian::describe(found, cells));
 }

@@ -305,9 +305,20 @@ protected:
   virtual cartesian::SurfaceFromVTK Read(vtkDataObject* surface) const;
 
   /**
-   * The same, with the sides of the box around it if the outside is meshed.
+   * The same, with the sides of the box around it if the outside is meshed, and what closes gaps.
    */
   cartesian::SurfaceFromVTK ReadWithSides(vtkDataObject* data);
+
+  /**
+   * How often boxes at the surface may be halved, as all boundaries' depths and sizes by shape say; checked elsewhere.
+   */
+  int DepthAtSurface(
+    const cartesian::SurfaceFromVTK& source, const cartesian::Options& options) const;
+
+  /**
+   * Adds what closes gaps, if the options say that they are.
+   */
+  void AddGaps(cartesian::SurfaceFromVTK& surface);
 
   /**
    * The surface on the lattice, checked; flaws are reported. `parts`: number of parts in which the mesh is

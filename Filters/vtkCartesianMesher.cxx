@@ -113,6 +113,7 @@ cartesian::Options vtkCartesianMesher::MakeOptions()
   cartesian::setPatchOptions(this, options);
   cartesian::setCellOptions(this, options);
   options.cracks.width = this->CrackWidth;
+  options.closeGaps = this->CloseGaps;
   options.contactTolerance = this->ContactTolerance;
   options.sheets = static_cast<cartesian::SheetHandling>(this->Sheets);
   options.cellBudget = this->CellBudget;
@@ -674,6 +675,7 @@ void vtkCartesianMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RegionsFrom: " << this->RegionsFrom << "\n";
   os << indent << "RegionArray: " << this->RegionArray << "\n";
   os << indent << "CrackWidth: " << this->CrackWidth << "\n";
+  os << indent << "CloseGaps: " << this->CloseGaps << "\n";
   os << indent << "ContactTolerance: " << this->ContactTolerance << "\n";
   os << indent << "Sheets: " << this->Sheets << "\n";
 }

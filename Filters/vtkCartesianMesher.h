@@ -396,6 +396,16 @@ public:
 
   ///@{
   /**
+   * Holes of the surface that are wider than the smallest box there, but no wider than this, are closed by boundaries gap_1,
+   * gap_2 and so on.
+   * In units of the surface; default 0: none is.
+   */
+  vtkSetMacro(CloseGaps, double);
+  vtkGetMacro(CloseGaps, double);
+  ///@}
+
+  ///@{
+  /**
    * Sheets without thickness, whose triangles the surface has twice, and open surfaces: 0, the default, each side of
    * the former is a wall, and of the latter if they would enclose next to nothing; 1, the former are ignored, the
    * latter are closed; 2, each side is a wall.
@@ -446,6 +456,7 @@ protected:
   int RegionsFrom = One;
   std::string RegionArray;
   double CrackWidth = 0;
+  double CloseGaps = 0;
   double ContactTolerance = 0;
   int Sheets = 0;
   int Layers = 0;

@@ -84,6 +84,7 @@ void vtkSurfaceBoundaries::ReadAnew(vtkDataObject* data)
       {
         surface->addSides(cartesian::namesOfSides(domain));
       }
+      this->AddGaps(*surface);
       for (const cartesian::ListedBoundary& boundary : cartesian::listBoundaries(*surface))
       {
         const bool hasNone = boundary.triangles == 0;

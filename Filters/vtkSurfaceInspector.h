@@ -27,10 +27,12 @@
  * 14 failing cell, only from vtkCartesianMesher: OpenFOAM's checkMesh fails on it (its faces)
  * 15 to 17 wall face without a whole stack of layers, only from vtkCartesianMesher: in a gap; at a corner that leaves no way
  *    inwards; where a cell or face would fail
+ * 18 open edge that ran along another and is joined with it (line; Width of the crack)
+ * 19 gap, closed by a boundary of its own, only from vtkCartesianMesher (line around it; Width)
  *
  * Field data: the number of each kind, OpenEdges, NonManifoldEdges, InconsistentEdges, DegenerateTriangles,
  * DuplicateTriangles, FoldedTriangles, OverlappedTriangles, Intersections, TrianglesOfSmallComponents,
- * Holes, Leaks, TrianglesOfClosedContacts, CellsLeftOut, FailingCells; Components (pieces without a common vertex);
+ * Holes, Leaks, TrianglesOfClosedContacts, CracksJoined, Gaps, CellsLeftOut, FailingCells; Components (pieces without a common vertex);
  * TrianglesNotCompared (triangles with more than 512 larger ones nearby; 64 in surfaces of half a million). At most a
  * million of each kind are listed.
  *

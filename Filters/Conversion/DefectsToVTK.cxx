@@ -31,7 +31,7 @@ namespace cartesian
 namespace
 {
 
-constexpr std::array<std::pair<DefectKind, const char*>, 12> CountNames = { {
+constexpr std::array<std::pair<DefectKind, const char*>, 14> CountNames = { {
   { DefectKind::OpenEdge, "OpenEdges" },
   { DefectKind::NonManifoldEdge, "NonManifoldEdges" },
   { DefectKind::InconsistentEdge, "InconsistentEdges" },
@@ -44,6 +44,8 @@ constexpr std::array<std::pair<DefectKind, const char*>, 12> CountNames = { {
   { DefectKind::Hole, "Holes" },
   { DefectKind::Leak, "Leaks" },
   { DefectKind::ClosedContact, "TrianglesOfClosedContacts" },
+  { DefectKind::JoinedCrack, "CracksJoined" },
+  { DefectKind::ClosedGap, "Gaps" },
 } };
 
 constexpr std::size_t DefectsAChunk = 1 << 12;

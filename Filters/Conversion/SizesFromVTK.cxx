@@ -162,7 +162,7 @@ AskedSizes sizesOnSurface(
   asked.ofTriangles.reserve(cells.size());
   for (const vtkIdType cell : cells)
   {
-    asked.ofTriangles.push_back(ofCells[static_cast<std::size_t>(cell)]);
+    asked.ofTriangles.push_back(cell < 0 ? 0 : ofCells[static_cast<std::size_t>(cell)]);
   }
   return asked;
 }

@@ -3,6 +3,7 @@
 
 #include "Base/Error.h"
 #include "Lattice/Vector.h"
+#include "Repair/SurfaceDefects.h"
 #include "SurfaceBlocks.h"
 #include "SurfacePolygons.h"
 #include "Utf8.h"
@@ -30,6 +31,11 @@ namespace cartesian
 
 namespace
 {
+
+std::string nameOfGap(std::ptrdiff_t gap)
+{
+  return "gap_" + std::to_string(gap + 1);
+}
 
 // Which lines are sharp edges; null: not known.
 vtkDataArray* sharpEdgesOf(vtkPolyData* block)
@@ -284,6 +290,75 @@ std::string SurfaceFromVTK::describeLeftOut() const
   return undivided + (undivided.empty() || open.empty() ? "" : "\n") + open;
 }
 
+void SurfaceFromVTK::addGaps(ClosedGaps closed)
+{
+  gaps_ = std::move(closed.gaps);
+  for (const ClosedGap& gap : gaps_)
+  {
+    const std::int32_t number = numberOfAdded(nameOfGap(&gap - gaps_.data()));
+    for (const auto& triangle : gap.triangles)
+    {
+      triangles_.insert(triangles_.end(), triangle.begin(), triangle.end());
+      boundary_.push_back(number);
+      cells_.push_back(-1);
+      const auto addTo = [&](auto& values, auto value) {
+        if (!values.empty())
+        {
+          values.push_back(value);
+        }
+      };
+      addTo(region_, gap.region);
+      addTo(knowsEdges_, std::uint8_t(0));
+      addTo(isOfOpenBody_, std::uint8_t(0));
+    }
+  }
+  for (const std::uint32_t pane : closed.panes)
+  {
+    isSheet_.resize(cells_.size());
+    isSheet_[pane] = 1;
+  }
+}
+
+std::string SurfaceFromVTK::describeGaps() const
+{
+  constexpr std::ptrdiff_t MostNamed = 20;
+  const auto count = static_cast<std::ptrdiff_t>(gaps_.size());
+  const auto panes = std::count(isSheet_.begin(), isSheet_.end(), 1);
+  std::string text = count == 0 ? ""
+    : count == 1                ? "1 gap was closed:"
+                                : number(double(count)) + " gaps were closed:";
+  for (std::ptrdiff_t i = 0; i < std::min(count, MostNamed); ++i)
+  {
+    const ClosedGap& gap = gaps_[static_cast<std::size_t>(i)];
+    const double* at = points_.data() + 3 * std::size_t(gap.rim.front());
+    text += "\n  " + nameOfGap(i) + ", " + number(gap.width) + " wide, of " +
+      number(double(gap.rim.size())) + " edges, at (" + number(at[0]) + ", " + number(at[1]) +
+      ", " + number(at[2]) + ")";
+  }
+  text += count > MostNamed ? "\n  ..." : "";
+  if (panes > 0)
+  {
+    text += (count > 0 ? "\n" : "") + number(double(panes)) +
+      " triangles that close holes between other walls, as panes do, are sheets: both sides are "
+      "walls.";
+  }
+  return text;
+}
+
+void SurfaceFromVTK::listGaps(SurfaceDefects& defects) const
+{
+  for (const ClosedGap& gap : gaps_)
+  {
+    std::vector<Vector> rim;
+    for (const std::uint32_t p : gap.rim)
+    {
+      const double* at = points_.data() + 3 * std::size_t(p);
+      rim.push_back({ at[0], at[1], at[2] });
+    }
+    addClosedGap(rim, gap.width, defects);
+  }
+}
+
 std::string SurfaceFromVTK::describeUndivided() const
 {
   if (undivided_.empty())
@@ -535,8 +610,8 @@ SurfaceView SurfaceFromVTK::view() const
 {
   return { points_.data(), points_.size() / 3, triangles_.data(), cells_.size(), boundary_.data(),
     cells_.data(), regionNames_.size() > 1 ? region_.data() : nullptr, &regionNames_,
-    sharpEdges_.data(), sharpEdges_.size() / 2,
-    knowsEdges_.empty() ? nullptr : knowsEdges_.data() };
+    sharpEdges_.data(), sharpEdges_.size() / 2, knowsEdges_.empty() ? nullptr : knowsEdges_.data(),
+    isSheet_.empty() ? nullptr : isSheet_.data() };
 }
 
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "BoundaryNames.h"
+#include "Mesher/ClosedGaps.h"
 #include "Mesher/Options.h"
 #include "OpenBodies.h"
 #include "Surface/Surface.h"
@@ -22,6 +23,7 @@ namespace cartesian
 {
 
 struct SurfaceBlock;
+struct SurfaceDefects;
 
 // The array in which vtkSTLReader numbers the named solids of a file.
 constexpr const char* StlSolids = "STLSolidLabeling";
@@ -63,7 +65,7 @@ public:
 
   SurfaceView view() const;
 
-  // The cell of the input that each triangle is, or is part of.
+  // The cell of the input that each triangle is, or is part of; -1: it closes a gap.
   const std::vector<vtkIdType>& cells() const { return cells_; }
 
   // Of each triangle, 1: of an open body (OpenBodyArray). Empty: none is.
@@ -83,6 +85,17 @@ public:
   // surface with these names are continued there.
   void addSides(const std::array<std::string, 6>& names);
   const EndBoundaries& sides() const { return sides_; }
+
+  // Adds the triangles that close gaps, which are of no cell (-1): each gap is a boundary, gap_1 and so on.
+  // Triangles of panes are sheets.
+  void addGaps(ClosedGaps closed);
+  const std::vector<ClosedGap>& gaps() const { return gaps_; } // in turn
+
+  // A message about these; empty if there are none.
+  std::string describeGaps() const;
+
+  // As the last kind of defects.
+  void listGaps(SurfaceDefects& defects) const;
 
   // Gives boundaries other names. Those of one name become one, also with one that has the name already.
   void rename(const BoundaryNames& given);
@@ -123,6 +136,8 @@ private:
   std::vector<vtkIdType> undivided_; // polygons
   BoundaryNames names_;
   EndBoundaries sides_ = NoEnds;
+  std::vector<ClosedGap> gaps_;
+  std::vector<std::uint8_t> isSheet_; // of each triangle; empty: all 0
   std::vector<std::int32_t> region_;
   std::vector<std::string> regionNames_;
   std::map<std::string, std::int32_t> numbers_; // of boundaries that are only given by name

@@ -23,7 +23,7 @@ threads = {"NumberOfThreads": 0}
 memory = {"MemoryLimit": 0.0}
 pieces = {"InPieces": 1}
 preview = {"Preview": 1}
-regions = {"RegionsFrom": "One", "RegionArray": "", "ContactTolerance": 0.0, "CrackWidth": 0.0, "Sheets": "Automatic"}
+regions = {"RegionsFrom": "One", "RegionArray": "", "ContactTolerance": 0.0, "CrackWidth": 0.0, "CloseGaps": 0.0, "Sheets": "Automatic"}
 domain = {"Domain": "Inside", "BoxFrom": "Surface", "DomainBounds": [0, 1, 0, 1, 0, 1],
           "FlowDirection": "Plus X", "LengthsBefore": 3, "LengthsBehind": 5, "LengthsBeside": 3,
           "Ground": "None", "Half": "None", "SideNames": "Flow", "BoxesAlongBody": 60, "KeepPoints": []}

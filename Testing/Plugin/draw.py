@@ -1,7 +1,7 @@
 """xvfb-run -a pvpython draw.py REPOSITORY PROGRAM [NAME ...]: makes pictures of the help pages: of the mesh of
 their task cut open (task), of a flow that OpenFOAM computed (flow), of a mesh that
 follows a solution (adaptation), of layers (layers), of the coolant jacket (jacket), of sections (slices), of
-cells around a rim (rims), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
+cells around a rim (rims), of gaps that are closed (gaps), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
 of the exhaust header (regions; needs the folder of surfaces in SURFACES). PROGRAM is cartesian-mesher; the others are made by
 demo.sh, TestImages.py and Window/photograph.py."""
 
@@ -212,6 +212,28 @@ def draw_rims(folder):
     joined("rims.png", parts)
 
 
+def draw_gaps(folder):
+    car = simple.NamedOBJReader(FileName=str(DATA / "prius_hybrid_body.obj"))
+    colours = {"Hybrid": [0.6, 0.75, 0.9], "Hybrid_Windows": [0.85, 0.9, 0.6], "Hybrid_Interior": [0.85, 0.6, 0.85]}
+    parts = []
+    for width in 0, 200:
+        mesher = simple.CartesianMesher(Input=car, Domain="Outside", FlowDirection="Plus Y", Ground="zMin", CellSize=150, CloseGaps=width)
+        data = output(mesher).GetFieldData()
+        view = simple.CreateView("RenderView")
+        for i in range(data.GetArray("BoundaryIds").GetNumberOfTuples()):
+            name, number = data.GetAbstractArray("BoundaryNames").GetValue(i), data.GetArray("BoundaryIds").GetValue(i)
+            if name in colours or name.startswith("gap_"):
+                one = simple.Threshold(Input=simple.OutputPort(mesher, "Boundary"), Scalars=["CELLS", "BoundaryId"],
+                                       LowerThreshold=number - 0.1, UpperThreshold=number + 0.1)
+                if output(one).GetNumberOfCells():
+                    display = show(one, view, "BoundaryId")
+                    simple.ColorBy(display, None)
+                    display.DiffuseColor = colours.get(name, [0.95, 0.55, 0.25])
+        parts.append(folder / f"{width}.png")
+        picture(parts[-1], view, [0.8, -0.9, 0.5], 1.3, [560, 400])
+    joined("gaps.png", parts)
+
+
 def draw_cad(_):
     """A section of the page's regions."""
     names = {}
@@ -233,7 +255,7 @@ CUT = [51, 100, -3]  # in the middle of a tube of the header
 
 DRAWN = {"task": draw_task, "flow": draw_flow, "layers": draw_layers, "adaptation": draw_adaptation,
          "jacket": draw_jacket, "regions": draw_regions, "cad": draw_cad, "slices": draw_slices,
-         "rims": draw_rims}
+         "rims": draw_rims, "gaps": draw_gaps}
 for name in sys.argv[3:] or DRAWN:
     with tempfile.TemporaryDirectory() as folder:
         DRAWN[name](pathlib.Path(folder))

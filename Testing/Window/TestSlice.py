@@ -54,7 +54,8 @@ with Screen() as screen:
         meshing_menu("SlicePolyhedra"), event(f"{PROPERTIES}/InteractivePlane/useZNormal", "activate"), apply(), macro("told"),
         macro("mesh"), meshing_menu("DividePolyhedra"), apply(), macro("slanted"), macro("told"), macro("plain")))
     # VTK may warn of polyhedra that it cannot cut, which the hint is for.
-    assert "ERR|" not in said and not [line for line in said.splitlines() if "WARN|" in line and "vtkPolyhedron" not in line], said
+    own = [line for line in said.splitlines() if "WARN|" in line and "vtkPolyhedron" not in line and "vtkTableBasedClipDataSet" not in line]
+    assert "ERR|" not in said and not own, said
     areas, volumes = zip(*(map(float, match) for match in re.findall(r"told (\S+) (\S+)", said)))
     # Half of the volume is on each side of a plane through the centre.
     assert abs(areas[0] - 2) < 1e-4 and abs(volumes[1] - 1) < 1e-4, (areas, volumes)

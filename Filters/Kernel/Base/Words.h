@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names of arrays and options as words.
+// Names as words: of arrays and options, of cells of the surface.
 #pragma once
 
 #include <cctype>
@@ -23,6 +23,12 @@ inline std::string wordsOf(const std::string& name)
     words += name[i];
   }
   return words;
+}
+
+// -1: of triangles that close a hole.
+inline std::string nameOfCell(long long cell)
+{
+  return cell < 0 ? "a lid" : "cell " + std::to_string(cell);
 }
 
 }

@@ -108,6 +108,24 @@ MeshedSide meshedOf(const DomainSpec& domain)
     : (domain.domain == Domain::Inside ? MeshedSide::Inside : MeshedSide::Unknown);
 }
 
+OpenSheets openSheetsOf(const PreparedSurface& prepared, const SurfaceView& view,
+  const Options& options, Execution& execution)
+{
+  const bool boundSpaces = view.region || options.domain.domain == Domain::Inside;
+  const double tolerance = options.contactTolerance / prepared.surface.lattice.step();
+  OpenSheets sheets = findOpenSheets(prepared.surface, { options.sheets, boundSpaces, tolerance },
+    options.baffles, prepared.planes, execution);
+  for (std::size_t t = 0; view.isSheet && t < prepared.surface.given.size(); ++t)
+  {
+    if (view.isSheet[prepared.surface.given[t]] != 0)
+    {
+      sheets.isOfOne.resize(prepared.surface.triangles.size());
+      sheets.isOfOne[t] = 1;
+    }
+  }
+  return sheets;
+}
+
 // Repairs the surface: as regions if there are several or baffles divide the only one, else as one.
 void separate(
   PreparedSurface& prepared, const SurfaceView& view, const Options& options, Execution& execution)
@@ -117,10 +135,7 @@ void separate(
   spec.names = view.regionNames ? *view.regionNames : std::vector<std::string>();
   spec.contactTolerance = options.contactTolerance;
   spec.sheets = options.sheets;
-  const bool boundSpaces = view.region || options.domain.domain == Domain::Inside;
   const double tolerance = options.contactTolerance / surface.lattice.step();
-  prepared.openSheets = findOpenSheets(surface, { options.sheets, boundSpaces, tolerance },
-    options.baffles, prepared.planes, execution);
   const std::vector<std::uint8_t>& open = prepared.openSheets.isOfOne;
   if (!options.baffles.empty() && mayDivide(options))
   {
@@ -148,8 +163,7 @@ void separate(
     prepared.contacts = separateRegions(surface, prepared.planes, spec, execution).value();
     return;
   }
-  prepared.repair =
-    repair(surface, prepared.planes, { options.sheets, meshedOf(options.domain) }, execution);
+  prepared.repair = repair(surface, prepared.planes, repairOf(options), execution);
 }
 
 std::map<std::int32_t, std::size_t> countsOf(const std::vector<std::int32_t>& boundaries)
@@ -255,12 +269,30 @@ PreparedSurface placeOnGrid(
   return prepared;
 }
 
-PreparedSurface prepareSurface(
+int depthAtSurface(const Options& options)
+{
+  return std::max(options.depthAtSurface, refinementOf(options).deepest());
+}
+
+RepairSpec repairOf(const Options& options)
+{
+  return { options.sheets, meshedOf(options.domain) };
+}
+
+PreparedSurface joinSurface(
   const SurfaceView& view, const Options& options, Execution& execution, int parts)
 {
   PreparedSurface prepared = placeOnGrid(view, options, execution, parts);
   prepared.cracks = joinCracks(
-    prepared.surface, prepared.planes, options.cracks, refinementOf(options).deepest(), execution);
+    prepared.surface, prepared.planes, options.cracks, depthAtSurface(options), execution);
+  prepared.openSheets = openSheetsOf(prepared, view, options, execution);
+  return prepared;
+}
+
+PreparedSurface prepareSurface(
+  const SurfaceView& view, const Options& options, Execution& execution, int parts)
+{
+  PreparedSurface prepared = joinSurface(view, options, execution, parts);
   separate(prepared, view, options, execution);
   chooseDomain(options.domain, prepared);
   if (options.layers.any())

@@ -68,6 +68,16 @@ PreparedSurface prepareSurface(
 PreparedSurface placeOnGrid(
   const SurfaceView& view, const Options& options, Execution& execution, int parts = 1);
 
+// The same with cracks joined and open sheets found, before the rest of check and repair.
+PreparedSurface joinSurface(
+  const SurfaceView& view, const Options& options, Execution& execution, int parts = 1);
+
+// How often boxes at the surface may be halved.
+int depthAtSurface(const Options& options);
+
+// How prepareSurface() repairs a surface of one region.
+RepairSpec repairOf(const Options& options);
+
 // All that refines the grid. `longestSide`: of the surface, in user units, by which layers are found; without it only the
 // deepest depths are right.
 RefinementSpec refinementOf(const Options& options, double longestSide = 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesher/Messages.h"
 
+#include "Base/Words.h"
 #include "Boxes/Boxes.h"
 #include "Mesher/CellsLeftOut.h"
 #include "Surface/Places.h"
@@ -77,12 +78,13 @@ std::string describeLeaks(const PreparedSurface& prepared)
   {
     return "";
   }
-  const std::string ofBoundary = " of boundary " + std::to_string(NoBoundary);
   std::string text = "\n" +
-    (leaks == 1 ? "1 hole is wider than a box and is closed by a lid" + ofBoundary +
-          ". If it should be closed otherwise, close it in the surface:"
-                : std::to_string(leaks) + " holes are wider than a box and are closed by lids" +
-          ofBoundary + ". If they should be closed otherwise, close them in the surface:");
+    counted(leaks, "hole is wider than a box and is closed by a lid",
+      "holes are wider than a box and are closed by lids") +
+    " of boundary " + std::to_string(NoBoundary) +
+    ". Close Gaps, as large as they are wide, gives lids names. If they should be closed "
+    "otherwise, "
+    "repair the surface:";
   std::size_t places = 0;
   for (const Hole& hole : holes)
   {
@@ -95,6 +97,21 @@ std::string describeLeaks(const PreparedSurface& prepared)
     }
   }
   return text;
+}
+
+std::string describeCracks(const PreparedSurface& prepared)
+{
+  const std::vector<JoinedCracks::Edge>& joined = prepared.cracks.joined;
+  if (joined.empty())
+  {
+    return "";
+  }
+  const auto widest = std::max_element(
+    joined.begin(), joined.end(), [](const auto& a, const auto& b) { return a.width < b.width; });
+  return counted(joined.size(), "pair of open edges along each other was joined",
+           "pairs of open edges along each other were joined") +
+    ": cracks at most " + number(widest->width * prepared.surface.lattice.step()) + " wide, near " +
+    placeOf(prepared.surface, widest->ends[0]) + ".";
 }
 
 std::string describeRefused(const PreparedSurface& prepared)
@@ -130,8 +147,8 @@ std::string firstOf(const std::vector<DroppedTriangle>& triangles, const Surface
       middle[axis] += double(surface.vertices[v][axis]) / 3;
     }
   }
-  return (triangles.size() == 1 ? ": cell " : ", such as cell ") +
-    std::to_string(cells[surface.given[first.triangle]]) + " at " + placeOf(surface, middle) + ".";
+  return (triangles.size() == 1 ? ": " : ", such as ") +
+    nameOfCell(cells[surface.given[first.triangle]]) + " at " + placeOf(surface, middle) + ".";
 }
 
 // Of walls, on either side, or of the triangles of one region.
@@ -362,8 +379,8 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   {
     text += std::string("\n  ") + place.what + " edge from " +
       positionOf(prepared.inspected(), place.edge[0]) + " to " +
-      positionOf(prepared.inspected(), place.edge[1]) + " of cell " +
-      std::to_string(cells[prepared.inspected().given[place.triangle]]);
+      positionOf(prepared.inspected(), place.edge[1]) + " of " +
+      nameOfCell(cells[prepared.inspected().given[place.triangle]]);
   }
   text += text.empty() ? "" : "\nRepair the surface there if the mesh shows flaws.";
   if (const std::string sheets = describeOpenSheets(prepared, names); !sheets.empty())
@@ -380,13 +397,9 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   {
     text += lineBreak(text) + vanished;
   }
-  if (const JoinedCracks& cracks = prepared.cracks; cracks.edges > 0)
+  if (const std::string cracks = describeCracks(prepared); !cracks.empty())
   {
-    text += lineBreak(text) +
-      counted(cracks.edges, "open edge along others was joined with them",
-        "open edges along others were joined") +
-      ": cracks at most " + number(cracks.width * prepared.surface.lattice.step()) +
-      " wide, near " + placeOf(prepared.surface, cracks.place) + ".";
+    text += lineBreak(text) + cracks;
   }
   if (!repair.loose.empty())
   {

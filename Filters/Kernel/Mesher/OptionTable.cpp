@@ -29,6 +29,7 @@ std::vector<NamedOption> optionTable()
   return {
     choice("Regions From", d.regionsFrom, { "One", "Blocks", "Array" }),
     { "Crack Width", d.cracks.width, CrackSpec::Widths, Length },
+    { "Close Gaps", d.closeGaps, Options::GapWidths, Length },
     { "Contact Tolerance", d.contactTolerance, RegionSpec::ContactTolerances, Length },
     choice("Sheets", d.sheets, { "Automatic", "Leave Out", "Keep" }),
     choice("Domain", d.domain.domain, { "Inside", "Outside", "Around Points" }),

@@ -31,9 +31,13 @@ struct Options
 {
   static constexpr Range MemoryLimits{ 0 };
   static constexpr Range CellBudgets{ 0 };
+  static constexpr Range GapWidths{ 0 };
 
   RegionSource regionsFrom = RegionSource::One;
+  int depthAtSurface =
+    0; // how often boxes there may be halved, beside what `refinement` says of it
   CrackSpec cracks;
+  double closeGaps = 0;        // user units (Gaps.h)
   double contactTolerance = 0; // user units (Regions.h)
   SheetHandling sheets = SheetHandling::Automatic;
   std::vector<Baffle> baffles;

@@ -3,13 +3,14 @@
 
 #include "Base/DisjointSets.h"
 #include "Repair/EdgePoints.h"
+#include "Repair/OpenRims.h"
 #include "Repair/TriangleTree.h"
-#include "Surface/SurfaceEdges.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace cartesian
 {
@@ -19,145 +20,6 @@ namespace
 
 // What is nearer than this along a rim, by the width of cracks there, is the same side of a crack.
 constexpr double SameSide = 4;
-
-// An edge that an odd number of triangles use, and one of these.
-struct OpenEdge
-{
-  std::uint32_t triangle;
-  std::uint32_t lower;
-  std::uint32_t upper;
-
-  bool operator<(const OpenEdge& other) const
-  {
-    return triangle != other.triangle ? triangle < other.triangle
-      : lower != other.lower          ? lower < other.lower
-                                      : upper < other.upper;
-  }
-};
-
-std::vector<OpenEdge> openEdgesOf(const Surface& surface, Execution& execution)
-{
-  std::vector<OpenEdge> open;
-  SurfaceEdges(surface, execution)
-    .forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-      if ((end - begin) % 2 == 1)
-      {
-        open.push_back({ begin->triangle(), lower, begin->upper });
-      }
-    });
-  return open;
-}
-
-// Where corners go: those that are not listed stay.
-using Moves = std::map<std::uint32_t, std::uint32_t>;
-
-std::uint32_t goalOf(const Moves& moves, std::uint32_t vertex)
-{
-  const auto found = moves.find(vertex);
-  return found != moves.end() ? found->second : vertex;
-}
-
-// The rims that open edges form.
-class OpenRims
-{
-public:
-  OpenRims(const Surface& surface, std::vector<OpenEdge> edges)
-    : surface_(surface)
-    , edges_(std::move(edges))
-  {
-    std::sort(edges_.begin(), edges_.end());
-    for (const OpenEdge& edge : edges_)
-    {
-      ends_.emplace_back(edge.lower, edge.upper);
-      ends_.emplace_back(edge.upper, edge.lower);
-    }
-    std::sort(ends_.begin(), ends_.end());
-    for (const OpenEdge& edge : edges_)
-    {
-      for (const std::uint32_t corner : surface.triangles[edge.triangle])
-      {
-        for (const std::uint32_t other : surface.triangles[edge.triangle])
-        {
-          besides_.emplace_back(corner, other);
-        }
-      }
-    }
-    std::sort(besides_.begin(), besides_.end());
-  }
-
-  const std::vector<OpenEdge>& edges() const { return edges_; } // by triangle
-
-  // Those of a triangle.
-  std::pair<const OpenEdge*, const OpenEdge*> of(std::uint32_t triangle) const
-  {
-    const auto range = std::equal_range(edges_.begin(), edges_.end(), OpenEdge{ triangle, 0, 0 },
-      [](const OpenEdge& a, const OpenEdge& b) { return a.triangle < b.triangle; });
-    return { edges_.data() + (range.first - edges_.begin()),
-      edges_.data() + (range.second - edges_.begin()) };
-  }
-
-  // Each corner of a rim, in order.
-  std::vector<std::uint32_t> corners() const
-  {
-    std::vector<std::uint32_t> all;
-    for (const auto& [vertex, other] : ends_)
-    {
-      if (all.empty() || all.back() != vertex)
-      {
-        all.push_back(vertex);
-      }
-    }
-    return all;
-  }
-
-  // Whether two are corners of one triangle with an open edge, as are those of a narrow strip, which is no crack.
-  bool areOfOneTriangle(std::uint32_t a, std::uint32_t b) const
-  {
-    return std::binary_search(besides_.begin(), besides_.end(), std::pair{ a, b });
-  }
-
-  // The corners at most `length` along rims from one, which is the first; in order then.
-  std::vector<std::uint32_t> near(std::uint32_t corner, double length) const
-  {
-    std::map<std::uint32_t, double> reached{ { corner, 0 } };
-    std::vector<std::uint32_t> next{ corner };
-    while (!next.empty())
-    {
-      const std::uint32_t from = next.back();
-      next.pop_back();
-      for (auto end = std::lower_bound(ends_.begin(), ends_.end(), std::pair{ from, 0U });
-           end != ends_.end() && end->first == from; ++end)
-      {
-        const double way =
-          reached[from] + norm(minus(surface_.vertices[end->second], surface_.vertices[from]));
-        const auto [known, isNew] = reached.emplace(end->second, way);
-        if (way <= length && (isNew || way < known->second))
-        {
-          known->second = way;
-          next.push_back(end->second);
-        }
-        else if (isNew)
-        {
-          reached.erase(known);
-        }
-      }
-    }
-    std::vector<std::uint32_t> all;
-    all.reserve(reached.size());
-    for (const auto& [vertex, way] : reached)
-    {
-      all.push_back(vertex);
-    }
-    return all;
-  }
-
-private:
-  const Surface& surface_;
-  std::vector<OpenEdge> edges_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_; // of edges, from either
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>
-    besides_; // corners of one triangle with an open edge
-};
 
 bool isIn(const std::vector<std::uint32_t>& sorted, std::uint32_t vertex)
 {
@@ -169,8 +31,8 @@ class RimTriangles
 {
 public:
   RimTriangles(
-    const Surface& surface, const OpenRims& rims, const Moves& moves, Execution& execution)
-    : numbers_(numbersOf(rims))
+    const Surface& surface, const OpenRims& rims, const CornerMoves& moves, Execution& execution)
+    : numbers_(rims.triangles())
     , tree_(only(surface, numbers_, moves), execution)
   {
   }
@@ -184,21 +46,8 @@ public:
   }
 
 private:
-  static std::vector<std::uint32_t> numbersOf(const OpenRims& rims)
-  {
-    std::vector<std::uint32_t> numbers;
-    for (const OpenEdge& edge : rims.edges())
-    {
-      if (numbers.empty() || numbers.back() != edge.triangle)
-      {
-        numbers.push_back(edge.triangle);
-      }
-    }
-    return numbers;
-  }
-
   static Surface only(
-    const Surface& surface, const std::vector<std::uint32_t>& numbers, const Moves& moves)
+    const Surface& surface, const std::vector<std::uint32_t>& numbers, const CornerMoves& moves)
   {
     Surface result;
     result.vertices = surface.vertices;
@@ -216,6 +65,9 @@ private:
   std::vector<std::uint32_t> numbers_; // of the triangles of the tree
   TriangleTree tree_;
 };
+
+// An edge, or a part of one between two corners that lie on it: the lower and the upper corner.
+using Part = std::array<std::uint32_t, 2>;
 
 class CrackJoiner
 {
@@ -240,13 +92,13 @@ public:
     const OpenRims given(surface_, open);
     findMoves(given);
     findPoints(OpenRims(surface_, movedEdges(open)), given);
-    const std::size_t met = keepThoseOfEdgesThatMeet(open);
-    JoinedCracks result = widest();
-    result.edges = met;
-    if (met > 0)
+    const std::vector<Part> met = keepThoseOfEdgesThatMeet(open);
+    if (met.empty())
     {
-      divide();
+      return {};
     }
+    const JoinedCracks result = told(met);
+    divide();
     return result;
   }
 
@@ -259,9 +111,7 @@ private:
 
     bool operator<(const Pair& other) const
     {
-      return distance != other.distance ? distance < other.distance
-        : lower != other.lower          ? lower < other.lower
-                                        : upper < other.upper;
+      return std::tie(distance, lower, upper) < std::tie(other.distance, other.lower, other.upper);
     }
     bool operator==(const Pair& other) const
     {
@@ -468,16 +318,16 @@ private:
     return chain;
   }
 
-  // A corner alone that is near an edge leaves it as it is: only where edges run along each other they are joined. Returns how
-  // many do.
-  std::size_t keepThoseOfEdgesThatMeet(const std::vector<OpenEdge>& open)
+  // A corner alone that is near an edge leaves it as it is: only where edges run along each other they are joined. Returns the
+  // parts of edges that do.
+  std::vector<Part> keepThoseOfEdgesThatMeet(const std::vector<OpenEdge>& open)
   {
-    std::map<std::array<std::uint32_t, 2>, int> uses;
+    std::map<Part, int> uses;
     const auto forEachPart = [&](const OpenEdge& edge, auto&& visit) {
       const std::vector<std::uint32_t> chain = chainOf(edge);
       for (std::size_t i = 0; i + 1 < chain.size(); ++i)
       {
-        visit(std::array{ std::min(chain[i], chain[i + 1]), std::max(chain[i], chain[i + 1]) });
+        visit(Part{ std::min(chain[i], chain[i + 1]), std::max(chain[i], chain[i + 1]) });
       }
     };
     for (const OpenEdge& edge : open)
@@ -485,18 +335,14 @@ private:
       forEachPart(edge, [&](const auto& part) { ++uses[part]; });
     }
     std::set<std::uint32_t> kept;
-    std::size_t met = 0;
-    for (const OpenEdge& edge : open)
+    std::vector<Part> met;
+    for (const auto& [part, count] : uses)
     {
-      bool meets = false;
-      forEachPart(edge, [&](const auto& part) {
-        if (uses[part] > 1)
-        {
-          kept.insert(part.begin(), part.end());
-          meets = true;
-        }
-      });
-      met += meets ? 1 : 0;
+      if (count > 1)
+      {
+        kept.insert(part.begin(), part.end());
+        met.push_back(part);
+      }
     }
     keepEndsOfDividedEdges(kept);
     for (auto move = moves_.begin(); move != moves_.end();)
@@ -532,19 +378,17 @@ private:
     }
   }
 
-  JoinedCracks widest() const
+  // How far each corner is at most from what it is joined with.
+  std::map<std::uint32_t, double> widths() const
   {
-    JoinedCracks result;
+    std::map<std::uint32_t, double> widths;
     const auto tell = [&](double distance, std::uint32_t corner) {
-      if (distance > result.width)
-      {
-        result.width = distance;
-        result.place = placeOf(corner);
-      }
+      double& widest = widths[corner];
+      widest = std::max(widest, distance);
     };
     for (const auto& [from, to] : moves_)
     {
-      tell(norm(minus(placeOf(from), placeOf(to))), from);
+      tell(norm(minus(placeOf(from), placeOf(to))), to);
     }
     for (const auto& [ends, points] : onEdge_)
     {
@@ -552,6 +396,22 @@ private:
       {
         tell(distanceOf(corner, ends[0], ends[1]), corner);
       }
+    }
+    return widths;
+  }
+
+  JoinedCracks told(const std::vector<Part>& met) const
+  {
+    JoinedCracks result;
+    const std::map<std::uint32_t, double> widths = this->widths();
+    const auto widthOf = [&](std::uint32_t corner) {
+      const auto found = widths.find(corner);
+      return found != widths.end() ? found->second : 0;
+    };
+    for (const Part& part : met)
+    {
+      result.joined.push_back(
+        { { placeOf(part[0]), placeOf(part[1]) }, std::max(widthOf(part[0]), widthOf(part[1])) });
     }
     return result;
   }
@@ -591,7 +451,7 @@ private:
   double width_; // levels; 0: by the boxes
   double partOfBox_;
   Execution& execution_;
-  Moves moves_;
+  CornerMoves moves_;
   EdgePoints onEdge_; // of open edges whose ends have moved
 };
 

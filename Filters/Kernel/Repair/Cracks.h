@@ -28,9 +28,13 @@ struct CrackSpec
 
 struct JoinedCracks
 {
-  std::size_t edges = 0; // that were open and have another triangle now, at least on a part
-  double width = 0;      // levels: how far a corner was at most from what it was joined with
-  Vector place{};        // levels: of that corner
+  // Where two open edges have become one.
+  struct Edge
+  {
+    std::array<Vector, 2> ends; // levels
+    double width;               // levels: how far one of these was from what it was joined with
+  };
+  std::vector<Edge> joined; // in order of their corners
 };
 
 // `depth`: how often boxes may be halved. Corners and edges of other regions do not count.

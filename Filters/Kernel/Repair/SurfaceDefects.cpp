@@ -3,6 +3,7 @@
 
 #include "Base/Error.h"
 #include "Base/Sorting.h"
+#include "Base/Words.h"
 #include "Repair/TrianglePairs.h"
 #include "Surface/Components.h"
 
@@ -93,10 +94,11 @@ class DefectLister
 {
 public:
   DefectLister(const Surface& surface, std::size_t given, const SurfaceRepair& repair,
-    const Meshlines& planes, Execution& execution)
+    const JoinedCracks& cracks, const Meshlines& planes, Execution& execution)
     : surface_(surface)
     , given_(surface)
     , repair_(repair)
+    , cracks_(cracks)
     , planes_(planes)
     , execution_(execution)
   {
@@ -115,6 +117,7 @@ public:
     listPairs(findFolds(given_, edges, execution_));
     listComponents();
     listHoles();
+    listCracks();
     result_.defects = concatenated(defects_);
     result_.points = concatenated(points_);
     return std::move(result_);
@@ -123,15 +126,16 @@ public:
 private:
   static constexpr std::uint32_t None = SurfaceDefects::None;
 
+  // `width`: in levels.
   template <class Points>
   void add(DefectKind kind, std::uint32_t triangle, std::uint32_t other, bool polygon,
-    const Points& points)
+    const Points& points, double width = 0)
   {
     const auto k = static_cast<std::size_t>(kind);
     if (++result_.counts[k] <= SurfaceDefects::MostListed)
     {
-      defects_[k].push_back(
-        { kind, triangle, other, static_cast<std::uint32_t>(points.size()), polygon });
+      defects_[k].push_back({ kind, triangle, other, static_cast<std::uint32_t>(points.size()),
+        polygon, width * surface_.lattice.step() });
       points_[k].insert(points_[k].end(), points.begin(), points.end());
     }
   }
@@ -141,6 +145,11 @@ private:
     const Point& p = surface_.vertices[vertex];
     const Lattice& lattice = surface_.lattice;
     return { lattice.position(0, p[0]), lattice.position(1, p[1]), lattice.position(2, p[2]) };
+  }
+
+  Vector positionOf(const Vector& place) const
+  {
+    return plus(surface_.lattice.origin(), scaled(place, surface_.lattice.step()));
   }
 
   std::array<Vector, 3> positionsOf(const Triangle& t) const
@@ -255,16 +264,10 @@ private:
         {
           continue; // an edge lies on a face, or beside it by a rounding
         }
-        std::array<Vector, 2> ends =
+        const std::array<Vector, 2> ends =
           sharedSegment(given_.corners(pair.first), given_.corners(pair.second));
-        for (Vector& p : ends)
-        {
-          for (std::size_t axis = 0; axis < 3; ++axis)
-          {
-            p[axis] = surface_.lattice.origin()[axis] + surface_.lattice.step() * p[axis];
-          }
-        }
-        add(DefectKind::Intersection, pair.first, pair.second, false, ends);
+        add(DefectKind::Intersection, pair.first, pair.second, false,
+          std::array<Vector, 2>{ positionOf(ends[0]), positionOf(ends[1]) });
       }
       else if (!std::binary_search(folds.begin(), folds.end(), Fold{ pair.first, pair.second }))
       {
@@ -340,13 +343,23 @@ private:
         points.push_back(positionOf(v));
       }
       points.push_back(points.front());
-      add(hole.leak ? DefectKind::Leak : DefectKind::Hole, None, None, false, points);
+      add(hole.leak ? DefectKind::Leak : DefectKind::Hole, None, None, false, points, hole.width);
+    }
+  }
+
+  void listCracks()
+  {
+    for (const JoinedCracks::Edge& edge : cracks_.joined)
+    {
+      add(DefectKind::JoinedCrack, None, None, false,
+        std::array<Vector, 2>{ positionOf(edge.ends[0]), positionOf(edge.ends[1]) }, edge.width);
     }
   }
 
   const Surface& surface_;
   Surface given_; // without the triangles that close holes
   const SurfaceRepair& repair_;
+  const JoinedCracks& cracks_;
   const Meshlines& planes_;
   Execution& execution_;
   SurfaceDefects result_;
@@ -356,10 +369,15 @@ private:
 
 std::string nameOf(const Defect& defect, const std::vector<long long>& cells)
 {
-  const bool isPair = defect.kind == DefectKind::Intersection;
-  return isPair ? "cells " + std::to_string(cells[defect.triangle]) + " and " +
-      std::to_string(cells[defect.other])
-                : "cell " + std::to_string(cells[defect.triangle]);
+  const long long first = cells[defect.triangle];
+  if (defect.kind != DefectKind::Intersection)
+  {
+    return nameOfCell(first);
+  }
+  const long long second = cells[defect.other];
+  return first < 0 || second < 0
+    ? nameOfCell(first) + " and " + nameOfCell(second)
+    : "cells " + std::to_string(first) + " and " + std::to_string(second);
 }
 
 // The first of a kind, by the user's numbers, with their middles.
@@ -390,9 +408,9 @@ std::string listFirst(
 }
 
 SurfaceDefects findDefects(const Surface& surface, std::size_t given, const SurfaceRepair& repair,
-  const Meshlines& planes, Execution& execution)
+  const JoinedCracks& cracks, const Meshlines& planes, Execution& execution)
 {
-  return DefectLister(surface, given, repair, planes, execution).list();
+  return DefectLister(surface, given, repair, cracks, planes, execution).list();
 }
 
 SurfaceDefects listContacts(const std::vector<ClosedContact>& contacts, const Lattice& lattice)
@@ -413,6 +431,15 @@ SurfaceDefects listContacts(const std::vector<ClosedContact>& contacts, const La
     }
   }
   return result;
+}
+
+void addClosedGap(const std::vector<Vector>& rim, double width, SurfaceDefects& defects)
+{
+  ++defects.counts[static_cast<std::size_t>(DefectKind::ClosedGap)];
+  defects.defects.push_back({ DefectKind::ClosedGap, SurfaceDefects::None, SurfaceDefects::None,
+    static_cast<std::uint32_t>(rim.size() + 1), false, width });
+  defects.points.insert(defects.points.end(), rim.begin(), rim.end());
+  defects.points.push_back(rim.front());
 }
 
 std::string describe(const SurfaceDefects& defects, const std::vector<long long>& cells)

@@ -4,6 +4,7 @@
 
 #include "Lattice/Vector.h"
 #include "Repair/Contacts.h"
+#include "Repair/Cracks.h"
 #include "Repair/SurfaceRepair.h"
 
 namespace cartesian
@@ -31,8 +32,10 @@ enum class DefectKind
     15, // a wall face without a whole stack of layers (LayeredWall.h): something lies opposite
   LayersEndAtCorner = 16, // ... the wall leaves no way inwards
   LayersEndAtFault = 17,  // ... a cell or face would fail there, or at the stack beside it
+  JoinedCrack = 18, // an open edge that ran along others and is joined with them (Cracks.h); line
+  ClosedGap = 19,   // a hole at least as wide as a box that was closed as asked; line around it
 };
-constexpr std::size_t DefectKinds = 13; // of the surface; from 1
+constexpr std::size_t DefectKinds = 20; // from 1
 
 // Two triangles with a smaller angle between them, in degrees, are a fold.
 constexpr double FoldAngle = 1;
@@ -44,7 +47,7 @@ struct Defect
   std::uint32_t other;    // the second one of a pair, or None
   std::uint32_t size;     // number of points
   bool polygon;           // otherwise a line
-  double width = 0;       // of a closed contact, user units
+  double width = 0;       // of what was closed or joined, user units
 };
 
 struct SurfaceDefects
@@ -64,10 +67,13 @@ struct SurfaceDefects
 
 // Of the repaired surface, whose first `given` triangles are the user's.
 SurfaceDefects findDefects(const Surface& surface, std::size_t given, const SurfaceRepair& repair,
-  const Meshlines& planes, Execution& execution);
+  const JoinedCracks& cracks, const Meshlines& planes, Execution& execution);
 
 // The triangles that later regions lost, by their numbers in the view.
 SurfaceDefects listContacts(const std::vector<ClosedContact>& contacts, const Lattice& lattice);
+
+// Adds a gap to the defects, of which no kind may follow; user units.
+void addClosedGap(const std::vector<Vector>& rim, double width, SurfaceDefects& defects);
 
 // A message about folds, overlaps and intersections, which may degrade a mesh and which describeFlaws
 // (Messages.h) does not mention, with the first places of each; empty if there are none. `cells`: the user's number

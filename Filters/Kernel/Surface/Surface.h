@@ -33,6 +33,8 @@ struct SurfaceView
   std::size_t sharpEdgeCount = 0;
   const std::uint8_t* knowsEdges =
     nullptr; // of each triangle; 1: of its edges only those are sharp; null: all 0
+  const std::uint8_t* isSheet =
+    nullptr; // of each triangle; 1: of a sheet (OpenSheets.h), whatever its rim is; null: all 0
 
   std::array<Vector, 3> corners(std::size_t triangle) const
   {

@@ -282,8 +282,8 @@ TEST(ThinSheets, AreNoDefects)
   addSheet(soup, 3, plane({ 0.4, 0.2, 0.3 }, { 1.7, 0.3, 0.1 }, { 0.1, 0.2, 0.5 }));
   Execution execution;
   const PreparedSurface prepared = prepare(soup, cellsAlongLongest(soup, 5));
-  const SurfaceDefects defects = findDefects(
-    prepared.inspected(), prepared.trianglesGiven(), prepared.repair, prepared.planes, execution);
+  const SurfaceDefects defects = findDefects(prepared.inspected(), prepared.trianglesGiven(),
+    prepared.repair, prepared.cracks, prepared.planes, execution);
   EXPECT_TRUE(defects.defects.empty());
   const std::vector<std::uint8_t>& ofSheet = prepared.inspected().ofSheet;
   EXPECT_EQ(std::count(ofSheet.begin(), ofSheet.end(), 0), 12);

@@ -242,9 +242,25 @@ TEST(Cracks, AWiderOneStaysOpenUnlessAskedFor)
   Execution execution;
   const PreparedSurface prepared = prepareSurface(soup.view(), options, execution);
   EXPECT_TRUE(prepared.repair.check.closed());
-  EXPECT_GT(prepared.cracks.edges, 20U);
-  EXPECT_GT(prepared.cracks.width * prepared.surface.lattice.step(), 0.005);
-  EXPECT_LE(prepared.cracks.width * prepared.surface.lattice.step(), 0.02);
+  EXPECT_GT(prepared.cracks.joined.size(), 10U);
+  double widest = 0;
+  for (const JoinedCracks::Edge& edge : prepared.cracks.joined)
+  {
+    widest = std::max(widest, edge.width * prepared.surface.lattice.step());
+  }
+  EXPECT_GT(widest, 0.005);
+  EXPECT_LE(widest, 0.02);
+}
+
+TEST(Cracks, SmallerBoxesMakeNarrowerOnes)
+{
+  const Soup soup = fallenApart(cube(), 1e-3);
+  Options options;
+  options.grid = cellsOf(0.17);
+  Execution execution;
+  EXPECT_TRUE(prepareSurface(soup.view(), options, execution).repair.check.closed());
+  options.depthAtSurface = 3;
+  EXPECT_FALSE(prepareSurface(soup.view(), options, execution).repair.check.closed());
 }
 
 TEST(Cracks, ANarrowStripIsNone)
@@ -260,5 +276,5 @@ TEST(Cracks, ANarrowStripIsNone)
     strip.triangles.push_back({ i + 1, i + 3, i + 2 });
   }
   const PreparedSurface prepared = prepare(strip.add(cube().moved({ 2, 0, 0 })), cellsOf(0.1));
-  EXPECT_EQ(prepared.cracks.edges, 0U);
+  EXPECT_TRUE(prepared.cracks.joined.empty());
 }

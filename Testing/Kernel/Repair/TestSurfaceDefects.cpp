@@ -19,8 +19,8 @@ SurfaceDefects defectsOf(const Soup& soup, const GridSpec& grid, int threads = 1
 {
   const PreparedSurface prepared = prepare(soup, grid);
   Execution execution(threads);
-  SurfaceDefects defects = findDefects(
-    prepared.inspected(), prepared.trianglesGiven(), prepared.repair, prepared.planes, execution);
+  SurfaceDefects defects = findDefects(prepared.inspected(), prepared.trianglesGiven(),
+    prepared.repair, prepared.cracks, prepared.planes, execution);
   for (Defect& defect : defects.defects) // as the soup numbers them
   {
     for (std::uint32_t* const triangle : { &defect.triangle, &defect.other })

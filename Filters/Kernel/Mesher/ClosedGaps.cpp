@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesher/ClosedGaps.h"
+
+#include "Base/DisjointSets.h"
+#include "Mesher/Mesher.h"
+#include "Surface/SurfaceEdges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace cartesian
+{
+
+namespace
+{
+
+// A point of the view at each vertex that triangles use.
+std::vector<std::uint32_t> pointsAt(const Surface& surface, const SurfaceView& view)
+{
+  std::map<Point, std::uint32_t> first;
+  for (std::size_t corner = 0; corner < 3 * view.triangleCount; ++corner)
+  {
+    const std::uint32_t p = view.triangles[corner];
+    Point place;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      place[static_cast<std::size_t>(axis)] =
+        surface.lattice.vertex(axis, view.points[3 * std::size_t(p) + std::size_t(axis)]);
+    }
+    std::uint32_t& lowest = first.emplace(place, p).first->second;
+    lowest = std::min(lowest, p);
+  }
+  std::vector<std::uint32_t> points;
+  points.reserve(surface.vertices.size());
+  for (const Point& vertex : surface.vertices)
+  {
+    const auto found = first.find(vertex);
+    points.push_back(found != first.end() ? found->second : 0);
+  }
+  return points;
+}
+
+Surface ofRegion(const Surface& all, std::int32_t region)
+{
+  Surface own;
+  own.lattice = all.lattice;
+  own.vertices = all.vertices;
+  for (std::size_t t = 0; t < all.triangles.size(); ++t)
+  {
+    if (all.region[t] == region && !namesAVertexTwice(all.triangles[t]))
+    {
+      own.append(all, t);
+    }
+  }
+  own.region.clear();
+  return own;
+}
+
+// The parts of a surface that meet others only where three triangles or more share an edge.
+class Parts
+{
+public:
+  Parts(Surface surface, Execution& execution)
+    : surface_(std::move(surface))
+    , connected_(surface_.triangles.size())
+  {
+    const SurfaceEdges edges(surface_, execution);
+    edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
+      if (end - begin == 2)
+      {
+        connected_.unite(begin[0].triangle(), begin[1].triangle());
+      }
+    });
+    edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+      for (const EdgeUse* use = begin; end - begin != 2 && use != end; ++use)
+      {
+        const std::uint32_t part = connected_.find(use->triangle());
+        parts_[{ lower, begin->upper }].push_back(part);
+        ++endings_[part];
+      }
+    });
+  }
+
+  // The triangles of the view in the smallest part whose edge is a rim that parts meet at; none: at an edge there is nothing but
+  // the hole.
+  std::vector<std::uint32_t> closing(const std::vector<std::uint32_t>& rim)
+  {
+    std::map<std::uint32_t, std::size_t> edgesOf; // of the rim, by part
+    for (std::size_t i = 0; i < rim.size(); ++i)
+    {
+      const std::uint32_t next = rim[(i + 1) % rim.size()];
+      const auto found = parts_.find({ std::min(rim[i], next), std::max(rim[i], next) });
+      if (found == parts_.end() || found->second.size() < 3)
+      {
+        return {};
+      }
+      for (const std::uint32_t part : found->second)
+      {
+        ++edgesOf[part];
+      }
+    }
+    std::vector<std::uint32_t> smallest;
+    double least = HUGE_VAL;
+    for (const auto& [part, edges] : edgesOf)
+    {
+      if (edges == rim.size() && endings_[part] == edges)
+      {
+        const std::vector<std::uint32_t> all = trianglesOf(part);
+        if (const double area = areaOf(all); area < least)
+        {
+          least = area;
+          smallest = all;
+        }
+      }
+    }
+    std::transform(smallest.begin(), smallest.end(), smallest.begin(),
+      [&](std::uint32_t t) { return surface_.given[t]; });
+    return smallest;
+  }
+
+private:
+  std::vector<std::uint32_t> trianglesOf(std::uint32_t part)
+  {
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
+    {
+      if (connected_.find(t) == part)
+      {
+        all.push_back(t);
+      }
+    }
+    return all;
+  }
+
+  double areaOf(const std::vector<std::uint32_t>& triangles) const
+  {
+    double twice = 0;
+    for (const std::uint32_t t : triangles)
+    {
+      const Corners c = surface_.corners(t);
+      twice += norm(cross(minus(c[1], c[0]), minus(c[2], c[0])));
+    }
+    return twice / 2;
+  }
+
+  Surface surface_;
+  DisjointSets connected_;
+  std::map<std::array<std::uint32_t, 2>, std::vector<std::uint32_t>>
+    parts_;                                      // at edges of others than two
+  std::map<std::uint32_t, std::size_t> endings_; // such edges of each part
+};
+
+class GapCloser
+{
+public:
+  GapCloser(const SurfaceView& view, const Options& options, Execution& execution)
+    : options_(options)
+    , execution_(execution)
+    , prepared_(joinSurface(view, options, execution))
+    , points_(pointsAt(prepared_.surface, view))
+    , parts_(prepared_.surface, execution)
+  {
+    const std::vector<std::uint8_t>& open = prepared_.openSheets.isOfOne;
+    if (!options.baffles.empty() || !open.empty())
+    {
+      doubleSheets(prepared_.surface, options.baffles, open,
+        options.contactTolerance / prepared_.surface.lattice.step(), execution);
+    }
+  }
+
+  ClosedGaps close()
+  {
+    if (prepared_.surface.region.empty())
+    {
+      Surface all = prepared_.surface;
+      closeIn(all, OutsideRegion);
+    }
+    const std::set<std::int32_t> regions(
+      prepared_.surface.region.begin(), prepared_.surface.region.end());
+    for (const std::int32_t region : regions)
+    {
+      Surface own = ofRegion(prepared_.surface, region);
+      closeIn(own, region);
+    }
+    std::sort(result_.panes.begin(), result_.panes.end());
+    return std::move(result_);
+  }
+
+private:
+  void closeIn(Surface& surface, std::int32_t region)
+  {
+    const SurfaceRepair repaired =
+      closeAndOrient(surface, prepared_.planes, repairOf(options_), execution_);
+    for (const Hole& hole : repaired.holes)
+    {
+      const double width = hole.width * surface.lattice.step();
+      if (hole.width < smallestBoxAt(hole, surface) || width > options_.closeGaps)
+      {
+        continue;
+      }
+      if (const std::vector<std::uint32_t> pane = parts_.closing(hole.rim); !pane.empty())
+      {
+        result_.panes.insert(result_.panes.end(), pane.begin(), pane.end());
+        continue;
+      }
+      ClosedGap gap;
+      gap.region = region;
+      gap.width = width;
+      for (const std::uint32_t vertex : hole.rim)
+      {
+        gap.rim.push_back(points_[vertex]);
+      }
+      for (std::size_t t = hole.firstTriangle; t < hole.firstTriangle + hole.triangles; ++t)
+      {
+        const auto& corners = surface.triangles[t];
+        gap.triangles.push_back({ points_[corners[0]], points_[corners[1]], points_[corners[2]] });
+      }
+      result_.gaps.push_back(std::move(gap));
+    }
+  }
+
+  // Its shortest side, levels.
+  double smallestBoxAt(const Hole& hole, const Surface& surface) const
+  {
+    Vector centre{};
+    for (const std::uint32_t vertex : hole.rim)
+    {
+      centre = plus(centre,
+        scaled(toVector(surface.vertices[vertex]), 1. / static_cast<double>(hole.rim.size())));
+    }
+    return std::ldexp(narrowestSide(prepared_.planes, centre), -depthAtSurface(options_));
+  }
+
+  const Options& options_;
+  Execution& execution_;
+  PreparedSurface prepared_;
+  std::vector<std::uint32_t> points_; // of the view, at vertices
+  Parts parts_;                       // before anything is repaired
+  ClosedGaps result_;
+};
+
+}
+
+ClosedGaps closedGaps(const SurfaceView& view, const Options& options, Execution& execution)
+{
+  requireInRange(Options::GapWidths, options.closeGaps, "Close Gaps");
+  return options.closeGaps > 0 ? GapCloser(view, options, execution).close() : ClosedGaps();
+}
+
+}

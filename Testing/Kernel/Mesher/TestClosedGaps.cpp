@@ -1,0 +1,239 @@
+// Gaps that are meant to be closed: windows in the walls of boxes, whose areas are known.
+#include "Mesher/ClosedGaps.h"
+
+#include "Support/Effort.h"
+#include "Support/MeshChecker.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+
+using namespace cartesian;
+
+namespace
+{
+
+constexpr std::int32_t FirstGap = 100;
+
+struct Windowed
+{
+  Soup open;                                // boundaries 0 to 5, as those of a box
+  std::map<std::uint32_t, double> windowAt; // area, by any point of the rim
+  double wall = 0;                          // area of what is left
+  double volume = 0;
+};
+
+// The sides of a box, in rectangles, with a window of several in some of them that does not reach their edges.
+Windowed windowed(unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> step(0.2, 0.5);
+  std::array<std::vector<double>, 3> lines;
+  for (std::vector<double>& along : lines)
+  {
+    along.push_back(0);
+    for (int i = 0; i < 5; ++i)
+    {
+      along.push_back(along.back() + step(random));
+    }
+  }
+  Windowed result;
+  result.volume = lines[0].back() * lines[1].back() * lines[2].back();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t v = (axis + 2) % 3;
+    for (const std::size_t side : { 0U, 5U })
+    {
+      const bool hasWindow = random() % 2 == 0 || axis + side == 0;
+      std::array<std::size_t, 4> window{}; // from, to along u and v
+      for (const std::size_t i : { 0U, 2U })
+      {
+        window[i] = 1 + random() % 3;
+        window[i + 1] = window[i] + 1 + random() % (4 - window[i]);
+      }
+      const auto pointAt = [&](std::size_t i, std::size_t j) {
+        Vector p{};
+        p[axis] = lines[axis][side];
+        p[u] = lines[u][i];
+        p[v] = lines[v][j];
+        result.open.points.push_back(p);
+        return static_cast<std::uint32_t>(result.open.points.size() - 1);
+      };
+      const double area =
+        (lines[u][window[1]] - lines[u][window[0]]) * (lines[v][window[3]] - lines[v][window[2]]);
+      const auto boundary = static_cast<std::int32_t>(2 * axis + (side > 0 ? 1 : 0));
+      for (std::size_t i = 0; i < 5; ++i)
+      {
+        for (std::size_t j = 0; j < 5; ++j)
+        {
+          const std::array<std::uint32_t, 4> c{ pointAt(i, j), pointAt(i + 1, j),
+            pointAt(i + 1, j + 1), pointAt(i, j + 1) };
+          const auto isIn = [&](std::size_t a, std::size_t b, std::size_t touch) {
+            return a + touch >= window[0] && a < window[1] + touch && b + touch >= window[2] &&
+              b < window[3] + touch;
+          };
+          if (hasWindow && isIn(i, j, 0))
+          {
+            continue;
+          }
+          if (hasWindow && isIn(i, j, 1))
+          {
+            for (const std::uint32_t point : c)
+            {
+              result.windowAt[point] = area;
+            }
+          }
+          result.open.triangles.push_back({ c[0], c[1], c[2] });
+          result.open.triangles.push_back({ c[0], c[2], c[3] });
+          result.open.boundary.insert(result.open.boundary.end(), 2, boundary);
+          result.wall += (lines[u][i + 1] - lines[u][i]) * (lines[v][j + 1] - lines[v][j]);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<ClosedGap> gapsOf(const Soup& soup, double cellSize, double width, int depth = 0)
+{
+  Options options;
+  options.depthAtSurface = depth;
+  options.grid = cellsOf(cellSize);
+  options.closeGaps = width;
+  Execution execution;
+  return closedGaps(soup.view(), options, execution).gaps;
+}
+
+Soup with(const Soup& open, const std::vector<ClosedGap>& gaps)
+{
+  Soup closed = open;
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+  {
+    closed.triangles.insert(
+      closed.triangles.end(), gaps[i].triangles.begin(), gaps[i].triangles.end());
+    closed.boundary.resize(closed.triangles.size(), FirstGap + static_cast<std::int32_t>(i));
+    if (!closed.region.empty())
+    {
+      closed.region.resize(closed.triangles.size(), gaps[i].region);
+    }
+  }
+  return closed;
+}
+
+void expectClosed(const Windowed& body, const Soup& open, double cellSize, unsigned seed)
+{
+  SCOPED_TRACE(seed);
+  const std::vector<ClosedGap> gaps = gapsOf(open, cellSize, 2);
+  ASSERT_FALSE(gaps.empty());
+  const Soup closed = with(open, gaps);
+  double all = 0;
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+  {
+    double area = 0;
+    for (std::size_t t = 0; t < closed.triangles.size(); ++t)
+    {
+      area += closed.boundaryOf(t) == FirstGap + static_cast<std::int32_t>(i) ? closed.area(t) : 0;
+    }
+    EXPECT_NEAR(area, body.windowAt.at(gaps[i].rim.front()), 1e-9);
+    all += area;
+  }
+  EXPECT_NEAR(closed.area(), body.wall + all, 1e-9);
+  EXPECT_NEAR(std::abs(closed.volume()), body.volume, 1e-9);
+  const PreparedSurface prepared = prepare(closed, cellsOf(cellSize));
+  EXPECT_TRUE(prepared.repair.check.closed());
+}
+
+}
+
+TEST(ClosedGaps, WindowsOfBoxes)
+{
+  for (unsigned seed = 0; seed < repeats(40); ++seed)
+  {
+    const Windowed body = windowed(seed);
+    const double cellSize = std::array{ 0.03, 0.06, 0.11 }[seed % 3];
+    expectClosed(body, body.open, cellSize, seed);
+    expectClosed(body, body.open.turned(int(seed % 3), 45), cellSize, seed);
+    expectClosed(body, body.open.turned(), cellSize, seed);
+  }
+}
+
+TEST(ClosedGaps, TheMeshFillsThem)
+{
+  for (const unsigned seed : cases({ 0U, 1U, 2U, 3U }))
+  {
+    const Windowed body = windowed(seed);
+    const std::array<Soup, 4> turns{ body.open, body.open.turned(2, 45), body.open.turned(0, 30),
+      body.open.turned() };
+    const Soup& open = turns[seed];
+    const Soup closed = with(open, gapsOf(open, 0.11, 2));
+    const MeshArrays mesh = meshOf(closed, cellsOf(0.11)).mesh;
+    EXPECT_TRUE(isValid(mesh));
+    EXPECT_TRUE(fills(mesh, closed)) << seed;
+  }
+}
+
+TEST(ClosedGaps, NoneThatIsWiderOrNarrower)
+{
+  const Windowed body = windowed(3);
+  const std::vector<ClosedGap> all = gapsOf(body.open, 0.05, 5);
+  ASSERT_GT(all.size(), 1U);
+  double widest = 0;
+  for (const ClosedGap& gap : all)
+  {
+    widest = std::max(widest, gap.width);
+  }
+  EXPECT_TRUE(gapsOf(body.open, 0.05, 0).empty());
+  EXPECT_EQ(gapsOf(body.open, 0.05, widest).size(), all.size());
+  EXPECT_EQ(gapsOf(body.open, 0.05, 0.999 * widest).size(), all.size() - 1);
+  // In boxes as wide as they are, they are holes like others; not if these may be halved.
+  EXPECT_TRUE(gapsOf(body.open, 1.001 * widest, 5).empty());
+  EXPECT_EQ(gapsOf(body.open, 1.001 * widest, 5, 1).size(),
+    gapsOf(body.open, 1.001 * widest / 2, 5).size());
+}
+
+TEST(ClosedGaps, EachRegionByItself)
+{
+  const Windowed one = windowed(0);
+  const Windowed other = windowed(1);
+  Soup both;
+  both.addRegion(one.open);
+  both.addRegion(other.open.moved({ 3, 0, 0 }));
+  const Soup closed = with(both, gapsOf(both, 0.11, 2));
+  const std::map<int, double> volumes = volumesByRegion(meshOf(closed, cellsOf(0.11)).mesh);
+  ASSERT_EQ(volumes.size(), 2U);
+  EXPECT_NEAR(volumes.begin()->second, one.volume, 1e-6);
+  EXPECT_NEAR(volumes.rbegin()->second, other.volume, 1e-6);
+}
+
+// Whose sides are a hair apart: they are no gaps.
+TEST(ClosedGaps, WindowsOfBoxesThatFellApart)
+{
+  constexpr double Crack = 1e-5;
+  for (unsigned seed = 0; seed < repeats(12); ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Windowed body = windowed(seed);
+    Soup apart = body.open;
+    std::map<std::uint32_t, std::int32_t> sides;
+    for (std::size_t t = 0; t < apart.triangles.size(); ++t)
+    {
+      for (const std::uint32_t point : apart.triangles[t])
+      {
+        sides[point] = apart.boundaryOf(t);
+      }
+    }
+    for (const auto& [point, side] : sides)
+    {
+      apart.points[point][static_cast<std::size_t>(side / 2)] += side % 2 == 0 ? -Crack : Crack;
+    }
+    const std::size_t windows = gapsOf(body.open, 0.06, 2).size();
+    const std::vector<ClosedGap> gaps = gapsOf(apart, 0.06, 2);
+    EXPECT_EQ(gaps.size(), windows);
+    const PreparedSurface prepared = prepare(with(apart, gaps), cellsOf(0.06));
+    EXPECT_TRUE(prepared.repair.check.closed());
+    EXPECT_NEAR(volumeOf(prepared.surface), body.volume, 2 * Crack * body.wall);
+  }
+}
