@@ -97,14 +97,62 @@ Windowed windowed(unsigned seed)
   return result;
 }
 
-std::vector<ClosedGap> gapsOf(const Soup& soup, double cellSize, double width, int depth = 0)
+ClosedGaps closed(const Soup& soup, double cellSize, double width, int depth = 0)
 {
   Options options;
   options.depthAtSurface = depth;
   options.grid = cellsOf(cellSize);
   options.closeGaps = width;
   Execution execution;
-  return closedGaps(soup.view(), options, execution).gaps;
+  return closedGaps(soup.view(), options, execution);
+}
+
+std::vector<ClosedGap> gapsOf(const Soup& soup, double cellSize, double width, int depth = 0)
+{
+  return closed(soup, cellSize, width, depth).gaps;
+}
+
+void addRectangle(const std::array<Vector, 4>& corners, Soup& soup)
+{
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  soup.points.insert(soup.points.end(), corners.begin(), corners.end());
+  soup.triangles.push_back({ first, first + 1, first + 2 });
+  soup.triangles.push_back({ first, first + 2, first + 3 });
+}
+
+// A box whose top has a window, from 0.3 to 0.7 of its sides.
+void addOpenBox(double low, double high, Soup& soup)
+{
+  const std::array<double, 4> lines{ 0, 0.3, 0.7, 1 };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (const double side : { 0., 1. })
+    {
+      for (std::size_t i = 0; i < 9; ++i)
+      {
+        const auto at = [&](std::size_t u, std::size_t v) {
+          Vector p{};
+          p[axis] = side;
+          p[(axis + 1) % 3] = lines[i / 3 + u];
+          p[(axis + 2) % 3] = lines[i % 3 + v];
+          return plus({ low, low, low }, scaled(p, high - low));
+        };
+        if (axis != 2 || side == 0 || i != 4)
+        {
+          addRectangle({ at(0, 0), at(1, 0), at(1, 1), at(0, 1) }, soup);
+        }
+      }
+    }
+  }
+}
+
+// Of the window of that box.
+Vector cornerOfWindow(std::size_t corner, double low, double high)
+{
+  const std::array<std::array<double, 2>, 4> corners{ { { 0.3, 0.3 }, { 0.7, 0.3 }, { 0.7, 0.7 },
+    { 0.3, 0.7 } } };
+  const auto& [u, v] = corners[corner % 4];
+  return plus({ low, low, low }, scaled({ u, v, 1 }, high - low));
 }
 
 Soup with(const Soup& open, const std::vector<ClosedGap>& gaps)
@@ -128,21 +176,21 @@ void expectClosed(const Windowed& body, const Soup& open, double cellSize, unsig
   SCOPED_TRACE(seed);
   const std::vector<ClosedGap> gaps = gapsOf(open, cellSize, 2);
   ASSERT_FALSE(gaps.empty());
-  const Soup closed = with(open, gaps);
+  const Soup whole = with(open, gaps);
   double all = 0;
   for (std::size_t i = 0; i < gaps.size(); ++i)
   {
     double area = 0;
-    for (std::size_t t = 0; t < closed.triangles.size(); ++t)
+    for (std::size_t t = 0; t < whole.triangles.size(); ++t)
     {
-      area += closed.boundaryOf(t) == FirstGap + static_cast<std::int32_t>(i) ? closed.area(t) : 0;
+      area += whole.boundaryOf(t) == FirstGap + static_cast<std::int32_t>(i) ? whole.area(t) : 0;
     }
     EXPECT_NEAR(area, body.windowAt.at(gaps[i].rim.front()), 1e-9);
     all += area;
   }
-  EXPECT_NEAR(closed.area(), body.wall + all, 1e-9);
-  EXPECT_NEAR(std::abs(closed.volume()), body.volume, 1e-9);
-  const PreparedSurface prepared = prepare(closed, cellsOf(cellSize));
+  EXPECT_NEAR(whole.area(), body.wall + all, 1e-9);
+  EXPECT_NEAR(std::abs(whole.volume()), body.volume, 1e-9);
+  const PreparedSurface prepared = prepare(whole, cellsOf(cellSize));
   EXPECT_TRUE(prepared.repair.check.closed());
 }
 
@@ -168,10 +216,10 @@ TEST(ClosedGaps, TheMeshFillsThem)
     const std::array<Soup, 4> turns{ body.open, body.open.turned(2, 45), body.open.turned(0, 30),
       body.open.turned() };
     const Soup& open = turns[seed];
-    const Soup closed = with(open, gapsOf(open, 0.11, 2));
-    const MeshArrays mesh = meshOf(closed, cellsOf(0.11)).mesh;
+    const Soup whole = with(open, gapsOf(open, 0.11, 2));
+    const MeshArrays mesh = meshOf(whole, cellsOf(0.11)).mesh;
     EXPECT_TRUE(isValid(mesh));
-    EXPECT_TRUE(fills(mesh, closed)) << seed;
+    EXPECT_TRUE(fills(mesh, whole)) << seed;
   }
 }
 
@@ -201,11 +249,39 @@ TEST(ClosedGaps, EachRegionByItself)
   Soup both;
   both.addRegion(one.open);
   both.addRegion(other.open.moved({ 3, 0, 0 }));
-  const Soup closed = with(both, gapsOf(both, 0.11, 2));
-  const std::map<int, double> volumes = volumesByRegion(meshOf(closed, cellsOf(0.11)).mesh);
+  const Soup whole = with(both, gapsOf(both, 0.11, 2));
+  const std::map<int, double> volumes = volumesByRegion(meshOf(whole, cellsOf(0.11)).mesh);
   ASSERT_EQ(volumes.size(), 2U);
   EXPECT_NEAR(volumes.begin()->second, one.volume, 1e-6);
   EXPECT_NEAR(volumes.rbegin()->second, other.volume, 1e-6);
+}
+
+// The skin and the lining of a wall, joined around a window, which a pane closes on the outside.
+TEST(ClosedGaps, APaneIsASheet)
+{
+  for (const bool hasPane : { true, false })
+  {
+    Soup wall;
+    addOpenBox(0, 1, wall);
+    addOpenBox(0.1, 0.9, wall);
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      addRectangle({ cornerOfWindow(i, 0, 1), cornerOfWindow(i + 1, 0, 1),
+                     cornerOfWindow(i + 1, 0.1, 0.9), cornerOfWindow(i, 0.1, 0.9) },
+        wall);
+    }
+    const auto pane = static_cast<std::uint32_t>(wall.triangles.size());
+    if (hasPane)
+    {
+      addRectangle({ cornerOfWindow(0, 0, 1), cornerOfWindow(1, 0, 1), cornerOfWindow(2, 0, 1),
+                     cornerOfWindow(3, 0, 1) },
+        wall);
+    }
+    const ClosedGaps found = closed(wall.turned(), 0.06, 1);
+    EXPECT_TRUE(found.gaps.empty());
+    EXPECT_EQ(found.panes,
+      hasPane ? std::vector<std::uint32_t>({ pane, pane + 1 }) : std::vector<std::uint32_t>());
+  }
 }
 
 // Whose sides are a hair apart: they are no gaps.
