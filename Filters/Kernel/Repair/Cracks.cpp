@@ -97,7 +97,7 @@ public:
     {
       return {};
     }
-    const JoinedCracks result = told(met);
+    JoinedCracks result = told(met);
     divide();
     return result;
   }
