@@ -104,7 +104,7 @@ with Screen() as screen:
     assert not typed["box"] and not typed["labels"] and typed["zones"] == 0, typed
     assert outside["labels"] == ["inlet", "outlet", "sides", "sides", "sides", "sides"] and outside["zones"] > 0, outside
     assert "along y" in outside["note"] and first["note"] == "", outside
-    assert first["sources"] == reset["sources"], "the preview is no source"
+    assert outside["sources"] == first["sources"] and len(reset["sources"]) == len(first["sources"]) + 1, "the preview is no source, MiddleSlice is"
     state = (screen.folder / "state.pvsm").read_text()
     assert "CartesianMesher" in state and "MeshPreview" not in state and "BoxWidget" not in state
     for hidden in applied, reset:
