@@ -5,7 +5,6 @@
 #include "vtkNew.h"
 #include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMProxySelectionModel.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
@@ -25,8 +24,6 @@ void showMiddleSlice(vtkSMSourceProxy* mesher, vtkSMRenderViewProxy* view,
   const std::array<double, 3>& place, const std::array<double, 3>& normal)
 {
   vtkSMSessionProxyManager* const proxies = mesher->GetSessionProxyManager();
-  vtkSMProxySelectionModel* const selected = proxies->GetSelectionModel("ActiveSources");
-  const vtkSmartPointer<vtkSMProxy> before = selected->GetCurrentProxy();
   vtkSmartPointer<vtkSMProxy> made;
   made.TakeReference(proxies->NewProxy("filters", "SlicePolyhedra"));
   auto* const slice = vtkSMSourceProxy::SafeDownCast(made);
@@ -37,15 +34,15 @@ void showMiddleSlice(vtkSMSourceProxy* mesher, vtkSMRenderViewProxy* view,
   vtkSMPropertyHelper(slice, "Origin").Set(place.data(), 3);
   vtkSMPropertyHelper(slice, "Normal").Set(normal.data(), 3);
   slice->UpdateVTKObjects();
-  controller->RegisterPipelineProxy(
-    slice, proxies->GetUniqueProxyName("sources", "MiddleSlice", false).c_str());
+  // Not by the controller, which would select it: the panel stays the mesher's.
+  proxies->RegisterProxy(
+    "sources", proxies->GetUniqueProxyName("sources", "MiddleSlice", false).c_str(), slice);
   vtkSMProxy* const representation = controller->Show(slice, 0, view);
   vtkSMPropertyHelper(representation, "ColorArrayName", true)
     .SetInputArrayToProcess(vtkDataObject::CELL, "");
   const std::array<double, 3> edges{ ShadeOfEdges, ShadeOfEdges, ShadeOfEdges };
   vtkSMPropertyHelper(representation, "EdgeColor", true).Set(edges.data(), 3);
   representation->UpdateVTKObjects();
-  selected->SetCurrentProxy(before, vtkSMProxySelectionModel::CLEAR_AND_SELECT);
 }
 
 }
