@@ -89,12 +89,11 @@ public:
   // Adds the triangles that close gaps, which are of no cell (-1): each gap is a boundary, gap_1 and so on.
   // Triangles of panes are sheets.
   void addGaps(ClosedGaps closed);
-  const std::vector<ClosedGap>& gaps() const { return gaps_; } // in turn
 
-  // A message about these; empty if there are none.
+  // A message about gaps and panes; empty if there are none.
   std::string describeGaps() const;
 
-  // As the last kind of defects.
+  // Adds gaps to the defects, as their last kind.
   void listGaps(SurfaceDefects& defects) const;
 
   // Gives boundaries other names. Those of one name become one, also with one that has the name already.

@@ -37,7 +37,7 @@ struct Options
   int depthAtSurface =
     0; // how often boxes there may be halved, beside what `refinement` says of it
   CrackSpec cracks;
-  double closeGaps = 0;        // user units (Gaps.h)
+  double closeGaps = 0;        // user units (ClosedGaps.h)
   double contactTolerance = 0; // user units (Regions.h)
   SheetHandling sheets = SheetHandling::Automatic;
   std::vector<Baffle> baffles;

@@ -33,7 +33,7 @@ enum class DefectKind
   LayersEndAtCorner = 16, // ... the wall leaves no way inwards
   LayersEndAtFault = 17,  // ... a cell or face would fail there, or at the stack beside it
   JoinedCrack = 18, // an open edge that ran along others and is joined with them (Cracks.h); line
-  ClosedGap = 19,   // a hole at least as wide as a box that was closed as asked; line around it
+  ClosedGap = 19,   // a hole that was closed as asked (ClosedGaps.h); line around it
 };
 constexpr std::size_t DefectKinds = 20; // from 1
 
