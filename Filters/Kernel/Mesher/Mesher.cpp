@@ -6,6 +6,7 @@
 #include "Boxes/PlanePerturbation.h"
 #include "Layers/BoxSides.h"
 #include "Patches/Patches.h"
+#include "Repair/DomainBox.h"
 #include "Repair/Regions.h"
 
 #include <algorithm>
@@ -130,6 +131,11 @@ OpenSheets openSheetsOf(const PreparedSurface& prepared, const SurfaceView& view
 void separate(
   PreparedSurface& prepared, const SurfaceView& view, const Options& options, Execution& execution)
 {
+  prepared.fluid = view.region ? std::nullopt : reachFluid(prepared, options, execution);
+  if (prepared.fluid)
+  {
+    return;
+  }
   Surface& surface = prepared.surface;
   RegionSpec spec;
   spec.names = view.regionNames ? *view.regionNames : std::vector<std::string>();
@@ -179,29 +185,15 @@ std::map<std::int32_t, std::size_t> countsOf(const std::vector<std::int32_t>& bo
   return counts;
 }
 
-// Of the smallest boxes, in user units.
-double smallestBoxSide(const PreparedSurface& prepared, const Options& options)
-{
-  Level least = std::numeric_limits<Level>::max();
-  for (const std::vector<Level>& lines : prepared.planes)
-  {
-    for (std::size_t i = 1; i < lines.size(); ++i)
-    {
-      least = std::min(least, lines[i] - lines[i - 1]);
-    }
-  }
-  return std::ldexp(
-    double(least) * prepared.surface.lattice.step(), -refinementOf(options).deepest());
-}
-
 // Lids on a sheet that is all that there is would leave a film.
 void requireSpace(const PreparedSurface& prepared, const Options& options)
 {
   constexpr double ThinnestBody = 0.05; // in the mean, of a box's side
   const Surface& surface = prepared.surface;
+  const double side =
+    smallestBoxSide(prepared, refinementOf(options).deepest()) * surface.lattice.step();
   const bool isOneSheet = prepared.openSheets.boundNothing > 0 && surface.region.empty();
-  if (isOneSheet &&
-    2 * volumeOf(surface) < ThinnestBody * smallestBoxSide(prepared, options) * areaOf(surface))
+  if (isOneSheet && 2 * volumeOf(surface) < ThinnestBody * side * areaOf(surface))
   {
     throw Error(Fault::FlawedSurface,
       "There is nothing to mesh: the surface is an open sheet, with " +
@@ -230,6 +222,10 @@ void chooseDomain(const DomainSpec& domain, PreparedSurface& prepared)
     surface.around = Winding{ 1, false };
     turnInsideOut(surface);
   }
+  if (prepared.fluid)
+  {
+    prepared.keepPoints.clear(); // there is nothing else
+  }
 }
 
 }
@@ -254,10 +250,17 @@ PreparedSurface placeOnGrid(
   const Bounds meshed = isOutside ? boxAround(options.domain, prepared.bounds) : prepared.bounds;
   checkGrid(options.grid, meshed, prepared.memoryLimit.bytes);
   const GridSpec grid = isOutside ? fittedTo(meshed, options.grid) : options.grid;
-  const Lattice lattice(united(domainOf(grid, meshed), prepared.bounds));
-  prepared.planes = onLattice(grid, meshed, lattice);
-  prepared.surface = onLattice(view, lattice, execution);
+  const Bounds all = united(domainOf(grid, meshed), prepared.bounds);
+  const auto place = [&](const Lattice& lattice) {
+    prepared.planes = onLattice(grid, meshed, lattice);
+    prepared.surface = onLattice(view, lattice, execution);
+  };
+  place(Lattice(all));
   requireOneRegion(view, options.domain);
+  if (mayNeedSides(prepared, options, execution))
+  {
+    place(Lattice(withRoom(all)));
+  }
   if (isOutside)
   {
     prepared.surface.around = Winding{ 1, false };
@@ -267,6 +270,19 @@ PreparedSurface placeOnGrid(
     ofAPart(estimateMesh(prepared.surface, prepared.planes), parts), prepared.memoryLimit);
   prepared.boundariesGiven = countsOf(prepared.surface.boundary);
   return prepared;
+}
+
+double smallestBoxSide(const PreparedSurface& prepared, int depth)
+{
+  Level least = std::numeric_limits<Level>::max();
+  for (const std::vector<Level>& lines : prepared.planes)
+  {
+    for (std::size_t i = 1; i < lines.size(); ++i)
+    {
+      least = std::min(least, lines[i] - lines[i - 1]);
+    }
+  }
+  return std::ldexp(double(least), -depth);
 }
 
 int depthAtSurface(const Options& options)

@@ -18,6 +18,7 @@
 
 #include "Mesher/Assembly.h"
 #include "Mesher/Options.h"
+#include "Mesher/ReachedFluid.h"
 #include "Mesher/Stages.h"
 #include "Parts/Decomposition.h"
 #include "Repair/Contacts.h"
@@ -27,6 +28,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace cartesian
@@ -43,6 +45,7 @@ struct PreparedSurface
   JoinedCracks cracks;
   SurfaceRepair repair;
   OpenSheets openSheets;
+  std::optional<ReachedFluid> fluid;   // none: the surface was repaired as bodies are
   std::vector<ClosedContact> contacts; // of several regions
   Meshlines planes;
   Bounds bounds; // of the surface, user units
@@ -71,6 +74,9 @@ PreparedSurface placeOnGrid(
 // The same with cracks joined and open sheets found, before the rest of check and repair.
 PreparedSurface joinSurface(
   const SurfaceView& view, const Options& options, Execution& execution, int parts = 1);
+
+// Of the smallest boxes, where global ones are halved so often; in levels.
+double smallestBoxSide(const PreparedSurface& prepared, int depth);
 
 // How often boxes at the surface may be halved.
 int depthAtSurface(const Options& options);

@@ -250,6 +250,30 @@ std::string describeOpenSheets(
   return text;
 }
 
+// What of an open surface is next to the fluid.
+std::string describeFluid(
+  const PreparedSurface& prepared, const std::map<std::int32_t, std::string>& names)
+{
+  if (!prepared.fluid)
+  {
+    return {};
+  }
+  const ReachedFluid& fluid = *prepared.fluid;
+  const std::string open = counted(fluid.openEdges, "open edge", "open edges");
+  if (fluid.seenFrom == DomainSide::NoSide)
+  {
+    return "The surface has " + open +
+      ", but closes around what the Keep Points reach: that is meshed. What is open elsewhere does "
+      "not matter, and what has cells on both sides is a sheet.";
+  }
+  const auto side = static_cast<std::size_t>(fluid.seenFrom) - 1;
+  const auto name = names.find(fluid.terrain);
+  return "Boundary " + (name == names.end() ? std::to_string(fluid.terrain) : name->second) +
+    ", with " + open + ", divides the box of the domain: what is meshed is on its side towards " +
+    (side % 2 == 0 ? "-" : "+") + "xyz"[side / 2] +
+    ". To mesh another part of the box, give a Keep Point there.";
+}
+
 // How many of them each boundary has, those with most first.
 std::string countsByBoundary(
   const std::vector<CellLeftOut>& cells, const std::map<std::int32_t, std::string>& names)
@@ -383,6 +407,10 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
       nameOfCell(cells[prepared.inspected().given[place.triangle]]);
   }
   text += text.empty() ? "" : "\nRepair the surface there if the mesh shows flaws.";
+  if (const std::string fluid = describeFluid(prepared, names); !fluid.empty())
+  {
+    text += lineBreak(text) + fluid;
+  }
   if (const std::string sheets = describeOpenSheets(prepared, names); !sheets.empty())
   {
     text += lineBreak(text) + sheets;

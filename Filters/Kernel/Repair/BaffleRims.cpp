@@ -28,6 +28,9 @@ constexpr double SnapLevels = 4096;
 // degrees.
 constexpr double LeastForward = 0.7;
 
+// Walls turn at an edge where their normals differ by more than this: cosine of 30 degrees.
+constexpr double LeastFlat = 0.87;
+
 constexpr std::size_t MostSteps = 1 << 16;
 
 Ends endsOf(std::uint32_t p, std::uint32_t q)
@@ -193,24 +196,46 @@ private:
     return place;
   }
 
+  // Whether the walls turn at an edge of a triangle, so that a corner near it is near both.
+  bool isSharp(const Ends& edge, std::uint32_t t) const
+  {
+    const Vector normal = normalOf(t);
+    const std::vector<std::uint32_t> beside = onEdge(edge, edge[0], t).triangles;
+    return std::any_of(beside.begin(), beside.end(),
+      [&](std::uint32_t other) { return dot(normal, normalOf(other)) < LeastFlat; });
+  }
+
+  Vector normalOf(std::uint32_t t) const
+  {
+    const Corners c = surface_.corners(t);
+    return unit(cross(minus(c[1], c[0]), minus(c[2], c[0])));
+  }
+
   // The place on a triangle nearest to another; a vertex that is not the surface's moves there.
   Place placeAt(std::uint32_t t, const Vector& at, std::uint32_t vertex)
   {
     const Triple& c = surface_.triangles[t];
     const Vector nearest = nearestPlace(surface_.corners(t), at);
-    for (const std::uint32_t v : c)
+    std::array<double, 3> reach{}; // of edges
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      if (v == vertex || norm(minus(toVector(surface_.vertices[v]), nearest)) < SnapLevels)
+      reach[i] = isSharp(endsOf(c[i], following(c, i)), t) ? tolerance_ : SnapLevels;
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      // Where sharp edges meet, as near as they are.
+      const double near = std::min(reach[i], preceding(reach, i));
+      if (c[i] == vertex || norm(minus(toVector(surface_.vertices[c[i]]), nearest)) < near)
       {
-        return atVertex(v, t);
+        return atVertex(c[i], t);
       }
     }
     for (std::size_t i = 0; i < 3; ++i)
     {
       const Vector from = toVector(surface_.vertices[c[i]]);
       const Vector way = minus(toVector(surface_.vertices[following(c, i)]), from);
-      const double along = dot(minus(nearest, from), way) / dot(way, way);
-      if (norm(minus(nearest, plus(from, scaled(way, along)))) < SnapLevels)
+      const double along = std::clamp(dot(minus(nearest, from), way) / dot(way, way), 0., 1.);
+      if (norm(minus(nearest, plus(from, scaled(way, along)))) < reach[i])
       {
         const Ends edge = endsOf(c[i], following(c, i));
         return onEdge(edge, vertexOn(edge, c[i] == edge[0] ? along : 1 - along), t);

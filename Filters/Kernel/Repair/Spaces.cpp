@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/Spaces.h"
 
-#include "Base/DisjointSets.h"
 #include "Repair/RadialEdgeSort.h"
 #include "Repair/TriangleTree.h"
 #include "Surface/LineCrossings.h"
@@ -25,12 +24,6 @@ Triple sorted(Triple v)
   return v;
 }
 
-// Of a side of a piece, until sides are joined.
-std::uint32_t sideOf(std::uint32_t piece, bool front)
-{
-  return 2 * piece + (front ? 1 : 0);
-}
-
 class SpaceFinder
 {
 public:
@@ -43,7 +36,7 @@ public:
 
   Spaces run(Execution& execution)
   {
-    joinSides(execution);
+    sides_ = joinedSides(flatOf(surface_, pieces_), execution);
     numberSpaces();
     listPieces();
     const TriangleTree tree(surface_, execution);
@@ -66,30 +59,6 @@ public:
   }
 
 private:
-  void joinSides(Execution& execution)
-  {
-    Surface flat;
-    flat.vertices = surface_.vertices;
-    for (const Piece& piece : pieces_)
-    {
-      flat.triangles.push_back(piece.vertices);
-    }
-    sides_.reset(2 * pieces_.size());
-    RadialEdgeSort fan(surface_.vertices);
-    SurfaceEdges(flat, execution)
-      .forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-        fan.start(lower, begin->upper);
-        for (const EdgeUse* use = begin; use != end; ++use)
-        {
-          fan.add(use->triangle(), pieces_[use->triangle()].vertices, use->down());
-        }
-        fan.forEachSpace([&](const RadialEdgeSort::IncidentTriangle& one,
-                           const RadialEdgeSort::IncidentTriangle& next) {
-          sides_.unite(sideOf(one.triangle, !one.down), sideOf(next.triangle, next.down));
-        });
-      });
-  }
-
   void numberSpaces()
   {
     std::vector<std::uint32_t> number(2 * pieces_.size());
@@ -312,6 +281,38 @@ std::vector<Piece> piecesOf(const Surface& surface)
     pieces.back().triangles.push_back(entries[i].triangle);
   }
   return pieces;
+}
+
+Surface flatOf(const Surface& surface, const std::vector<Piece>& pieces)
+{
+  Surface flat;
+  flat.lattice = surface.lattice;
+  flat.vertices = surface.vertices;
+  flat.triangles.reserve(pieces.size());
+  for (const Piece& piece : pieces)
+  {
+    flat.triangles.push_back(piece.vertices);
+  }
+  return flat;
+}
+
+DisjointSets joinedSides(const Surface& flat, Execution& execution)
+{
+  DisjointSets sides(2 * flat.triangles.size());
+  RadialEdgeSort fan(flat.vertices);
+  SurfaceEdges(flat, execution)
+    .forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+      fan.start(lower, begin->upper);
+      for (const EdgeUse* use = begin; use != end; ++use)
+      {
+        fan.add(use->triangle(), flat.triangles[use->triangle()], use->down());
+      }
+      fan.forEachSpace([&](const RadialEdgeSort::IncidentTriangle& one,
+                         const RadialEdgeSort::IncidentTriangle& next) {
+        sides.unite(sideOf(one.triangle, !one.down), sideOf(next.triangle, next.down));
+      });
+    });
+  return sides;
 }
 
 Spaces findSpaces(const Surface& surface, const std::vector<Piece>& pieces, std::int32_t bodies,

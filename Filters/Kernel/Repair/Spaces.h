@@ -7,6 +7,7 @@
 // connected part one line decides how the others wind around it.
 #pragma once
 
+#include "Base/DisjointSets.h"
 #include "Surface/SurfaceEdges.h"
 
 namespace cartesian
@@ -24,6 +25,18 @@ bool faceAlike(const std::array<std::uint32_t, 3>& a, const std::array<std::uint
 
 // Of triangles with an area, by body (Surface::region).
 std::vector<Piece> piecesOf(const Surface& surface);
+
+// Of a side of a piece, by its number.
+constexpr std::uint32_t sideOf(std::uint32_t piece, bool front)
+{
+  return 2 * piece + (front ? 1 : 0);
+}
+
+// One triangle of each piece, in order.
+Surface flatOf(const Surface& surface, const std::vector<Piece>& pieces);
+
+// The sides of pieces, joined where the same space is next to both at an edge.
+DisjointSets joinedSides(const Surface& flat, Execution& execution);
 
 struct Spaces
 {

@@ -24,35 +24,42 @@ public:
   {
   }
 
-  Surface run(
-    std::vector<std::uint32_t>& crossing, std::vector<std::uint32_t>* inside, Execution& execution)
+  Surface run(const std::vector<Piece>& pieces, const Spaces& spaces)
   {
     Surface result;
     result.lattice = surface_.lattice;
     result.vertices = surface_.vertices;
-    const std::vector<Piece> pieces = piecesOf(surface_);
-    const std::int32_t last =
-      std::max(bodies_.regions, *std::max_element(surface_.region.begin(), surface_.region.end()));
-    const Spaces spaces = findSpaces(surface_, pieces, last, execution);
     for (std::size_t p = 0; p < pieces.size(); ++p)
     {
-      const auto& behind = spaces.turns[spaces.beside[p][0]];
-      const auto& front = spaces.turns[spaces.beside[p][1]];
-      addWall(pieces[p], { regionOf(behind), regionOf(front) }, result);
-      if (inside && behind != front && regionOf(behind) == regionOf(front))
-      {
-        inside->insert(inside->end(), pieces[p].triangles.begin(), pieces[p].triangles.end());
-      }
-    }
-    crossing.clear();
-    for (const std::uint32_t p : spaces.contradictions)
-    {
-      crossing.push_back(pieces[p].triangles[0]);
+      addWall(pieces[p], regionsBeside(spaces, p), result);
     }
     return result;
   }
 
+  // Triangles with several spaces of one region beside them.
+  std::vector<std::uint32_t> inside(const std::vector<Piece>& pieces, const Spaces& spaces) const
+  {
+    std::vector<std::uint32_t> all;
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+    {
+      const auto& [behind, front] = spaces.beside[p];
+      const auto [own, other] = regionsBeside(spaces, p);
+      if (spaces.turns[behind] != spaces.turns[front] && own == other)
+      {
+        all.insert(all.end(), pieces[p].triangles.begin(), pieces[p].triangles.end());
+      }
+    }
+    return all;
+  }
+
 private:
+  // Behind a piece and in front.
+  std::array<std::int32_t, 2> regionsBeside(const Spaces& spaces, std::size_t piece) const
+  {
+    const auto& [behind, front] = spaces.beside[piece];
+    return { regionOf(spaces.turns[behind]), regionOf(spaces.turns[front]) };
+  }
+
   // The first one that winds around a space.
   std::int32_t regionOf(const std::vector<std::int32_t>& turns) const
   {
@@ -229,7 +236,26 @@ void sortByPlace(Surface& surface)
 Surface wallsOf(const Surface& arranged, const Bodies& bodies, std::vector<std::uint32_t>& crossing,
   Execution& execution, std::vector<std::uint32_t>* inside)
 {
-  Surface walls = WallFinder(arranged, bodies).run(crossing, inside, execution);
+  const std::vector<Piece> pieces = piecesOf(arranged);
+  const std::int32_t last =
+    std::max(bodies.regions, *std::max_element(arranged.region.begin(), arranged.region.end()));
+  const Spaces spaces = findSpaces(arranged, pieces, last, execution);
+  if (inside)
+  {
+    *inside = WallFinder(arranged, bodies).inside(pieces, spaces);
+  }
+  crossing.clear();
+  for (const std::uint32_t p : spaces.contradictions)
+  {
+    crossing.push_back(pieces[p].triangles[0]);
+  }
+  return wallsBetween(arranged, bodies, pieces, spaces, execution);
+}
+
+Surface wallsBetween(const Surface& arranged, const Bodies& bodies,
+  const std::vector<Piece>& pieces, const Spaces& spaces, Execution& execution)
+{
+  Surface walls = WallFinder(arranged, bodies).run(pieces, spaces);
   walls.rounding = arranged.rounding;
   sortByPlace(walls);
   if (std::find(walls.ofSheet.begin(), walls.ofSheet.end(), 1) != walls.ofSheet.end())
@@ -239,14 +265,8 @@ Surface wallsOf(const Surface& arranged, const Bodies& bodies, std::vector<std::
   return walls;
 }
 
-bool unite(Surface& surface, const Bodies& bodies, std::vector<std::uint32_t>& crossing,
-  Execution& execution, std::vector<std::uint32_t>* inside)
+void takeWalls(Surface& surface, Surface walls)
 {
-  Surface walls = wallsOf(surface, bodies, crossing, execution, inside);
-  if (!crossing.empty() || walls.triangles.empty())
-  {
-    return false;
-  }
   for (std::int32_t& boundary : walls.boundary)
   {
     boundary = walls.walls.boundary(boundary);
@@ -257,6 +277,17 @@ bool unite(Surface& surface, const Bodies& bodies, std::vector<std::uint32_t>& c
   surface.given.swap(walls.given);
   surface.ofSheet.swap(walls.ofSheet);
   surface.region.clear();
+}
+
+bool unite(Surface& surface, const Bodies& bodies, std::vector<std::uint32_t>& crossing,
+  Execution& execution, std::vector<std::uint32_t>* inside)
+{
+  Surface walls = wallsOf(surface, bodies, crossing, execution, inside);
+  if (!crossing.empty() || walls.triangles.empty())
+  {
+    return false;
+  }
+  takeWalls(surface, std::move(walls));
   return true;
 }
 

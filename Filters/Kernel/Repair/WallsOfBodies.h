@@ -2,6 +2,7 @@
 // The walls of bodies, each once: what lies between two regions, or between one and outside; and the sheets in them.
 #pragma once
 
+#include "Repair/Spaces.h"
 #include "Surface/Surface.h"
 
 namespace cartesian
@@ -37,6 +38,13 @@ constexpr std::int32_t regionOfSheets(std::int32_t region, std::int32_t regions)
 // not sure. `inside`: those left out inside a body, not between two that touch.
 Surface wallsOf(const Surface& arranged, const Bodies& bodies, std::vector<std::uint32_t>& crossing,
   Execution& execution, std::vector<std::uint32_t>* inside = nullptr);
+
+// The same where the spaces are known.
+Surface wallsBetween(const Surface& arranged, const Bodies& bodies,
+  const std::vector<Piece>& pieces, const Spaces& spaces, Execution& execution);
+
+// Replaces a surface by walls of its only region, with the boundaries that it had.
+void takeWalls(Surface& surface, Surface walls);
 
 // Unites bodies of one region, arranged likewise: removes triangles inside another body, or between two that touch.
 // Does nothing and returns false where some still cross (`crossing`), or nothing is left.

@@ -20,23 +20,22 @@ std::string nameOf(std::size_t row, const std::array<double, 3>& place)
     number(place[1]) + ", " + number(place[2]) + "),";
 }
 
-void requireWithin(const KeepPoint& point, const std::array<double, 3>& place,
+void requireWithin(const std::string& name, const std::array<double, 3>& place,
   const Lattice& lattice, const Meshlines& planes)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     if (!std::isfinite(place[axis]))
     {
-      throw Error(
-        Fault::BadCoordinate, point.name + " is not a valid point: give three finite numbers.");
+      throw Error(Fault::BadCoordinate, name + " is not a valid point: give three finite numbers.");
     }
     const double low = lattice.position(static_cast<int>(axis), planes[axis].front());
     const double high = lattice.position(static_cast<int>(axis), planes[axis].back());
     if (place[axis] < low || place[axis] >= high)
     {
       throw Error(Fault::BadParameter,
-        point.name + " lies outside the grid, which runs from " + number(low) + " to " +
-          number(high) + " along " + "xyz"[axis] + ": move it into the space to be meshed.");
+        name + " lies outside the grid, which runs from " + number(low) + " to " + number(high) +
+          " along " + "xyz"[axis] + ": move it into the space to be meshed.");
     }
   }
 }
@@ -71,18 +70,33 @@ void look(const Surface& surface, KeepPoint& point)
 std::vector<KeepPoint> onLattice(
   const std::vector<std::array<double, 3>>& places, const Surface& surface, const Meshlines& planes)
 {
+  const std::vector<Point> at = placesOnLattice(places, surface.lattice, planes);
   std::vector<KeepPoint> points;
   points.reserve(places.size());
   for (const std::array<double, 3>& place : places)
   {
-    KeepPoint point{ {}, {}, nameOf(points.size(), place) };
-    requireWithin(point, place, surface.lattice, planes);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      point.at[axis] = surface.lattice.vertex(static_cast<int>(axis), place[axis]) - 1;
-    }
+    KeepPoint point{ at[points.size()], {}, nameOf(points.size(), place) };
     look(surface, point);
     points.push_back(std::move(point));
+  }
+  return points;
+}
+
+std::vector<Point> placesOnLattice(
+  const std::vector<std::array<double, 3>>& places, const Lattice& lattice, const Meshlines& planes)
+{
+  std::vector<Point> points;
+  points.reserve(places.size());
+  for (const std::array<double, 3>& place : places)
+  {
+    requireWithin(nameOf(points.size(), place), place, lattice, planes);
+    Point at;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto a = static_cast<std::size_t>(axis);
+      at[a] = lattice.vertex(axis, place[a]) - 1;
+    }
+    points.push_back(at);
   }
   return points;
 }

@@ -21,6 +21,10 @@ struct KeepPoint
 std::vector<KeepPoint> onLattice(const std::vector<std::array<double, 3>>& places,
   const Surface& surface, const Meshlines& planes);
 
+// Their places alone, wherever the surface is. Throws Error: as onLattice().
+std::vector<Point> placesOnLattice(const std::vector<std::array<double, 3>>& places,
+  const Lattice& lattice, const Meshlines& planes);
+
 // Throws Error (BadParameter) where the surface, as it is oriented, does not enclose one of the points.
 void requireInside(const std::vector<KeepPoint>& points, const char* domain);
 

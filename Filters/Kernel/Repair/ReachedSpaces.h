@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What can be reached from given places is the fluid: its walls are all that is next to it, whichever way that faces, and
+// whether or not it is closed by itself. What is open elsewhere does not matter; what has the fluid on both sides is a
+// sheet.
+//
+// Method: triangles are cut along each other (Arrangement.h); around each edge the space between neighbours is one
+// (Spaces.h), so what is open at a rim connects its two sides. Parts that share no edge are placed in each other by a line through
+// each, which joins what lies next to each other along it. Exact: nothing depends on boxes.
+// Limits: a gap of a rim that is wider than the lattice resolves is open, unless it was closed before (Cracks.h, RimsOnWalls.h,
+// ClosedGaps.h).
+#pragma once
+
+#include "Repair/Baffles.h"
+
+#include <optional>
+
+namespace cartesian
+{
+
+// Where the fluid is known to be.
+struct ReachSpec
+{
+  std::vector<Point> points; // even levels, on no triangle
+  std::vector<Baffle> baffles;
+
+  // From here on triangles are the sides of the domain box, with normals that point out of it (DomainBox.h): no walls, and what is
+  // outside of them is as the fluid. None: there is no box.
+  std::optional<std::size_t> firstOfBox;
+  std::optional<std::size_t>
+    seenFrom; // a triangle of the box: the largest part of it has fluid behind it
+};
+
+// Replaces the surface by the walls around what is reached, with normals that point out of it, or into it where there
+// is a box; and by sheets, which get sides (ThinSheets.h). False, with the surface as it was: what is reached goes on for ever,
+// has no walls, or triangles do not settle.
+bool keepReached(Surface& surface, const ReachSpec& spec, Execution& execution);
+
+}
