@@ -1,7 +1,7 @@
 """xvfb-run -a pvpython draw.py REPOSITORY PROGRAM [NAME ...]: makes pictures of the help pages: of the mesh of
 their task cut open (task), of a flow that OpenFOAM computed (flow), of a mesh that
 follows a solution (adaptation), of layers (layers), of the coolant jacket (jacket), of sections (slices), of
-cells around a rim (rims), of gaps that are closed (gaps), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
+cells around a rim (rims), of gaps that are closed (gaps), of terrain (terrain), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
 of the exhaust header (regions; needs the folder of surfaces in SURFACES). PROGRAM is cartesian-mesher; the others are made by
 demo.sh, TestImages.py and Window/photograph.py."""
 
@@ -234,6 +234,22 @@ def draw_gaps(folder):
     joined("gaps.png", parts)
 
 
+def draw_terrain(_):
+    """The page's mesh, cut open behind the house."""
+    names = {}
+    example = next(text for text in blocks(HELP / "domain.md", "python") if "Calculator" in text)
+    exec(example, names)
+    view = simple.CreateView("RenderView")
+    walls = show(simple.Threshold(Input=simple.OutputPort(names["air"], "Boundary"), Scalars=["CELLS", "BoundaryId"],
+                                  LowerThreshold=-0.1, UpperThreshold=1.1), view, "BoundaryId")
+    walls.SetScalarBarVisibility(view, False)
+    section = simple.Show(simple.SlicePolyhedra(Input=names["air"], Origin=[0, 6.01, 0], Normal=[0, 1, 0]), view)
+    section.Representation, section.EdgeColor, section.Ambient = "Surface With Edges", [0.3, 0.3, 0.3], 0.25
+    section.ColorArrayName, section.DiffuseColor = ["CELLS", ""], [0.85, 0.9, 0.97]
+    simple.GetColorTransferFunction("BoundaryId").RGBPoints = [0, 0.75, 0.85, 0.6, 1, 0.95, 0.6, 0.4]
+    picture("terrain.png", view, [0.5, -1, 0.6], 1.25)
+
+
 def draw_cad(_):
     """A section of the page's regions."""
     names = {}
@@ -255,7 +271,7 @@ CUT = [51, 100, -3]  # in the middle of a tube of the header
 
 DRAWN = {"task": draw_task, "flow": draw_flow, "layers": draw_layers, "adaptation": draw_adaptation,
          "jacket": draw_jacket, "regions": draw_regions, "cad": draw_cad, "slices": draw_slices,
-         "rims": draw_rims, "gaps": draw_gaps}
+         "rims": draw_rims, "gaps": draw_gaps, "terrain": draw_terrain}
 for name in sys.argv[3:] or DRAWN:
     with tempfile.TemporaryDirectory() as folder:
         DRAWN[name](pathlib.Path(folder))
