@@ -257,7 +257,8 @@ PreparedSurface placeOnGrid(
   };
   place(Lattice(all));
   requireOneRegion(view, options.domain);
-  if (mayNeedSides(prepared, options, execution))
+  prepared.hasRoom = mayNeedSides(prepared, options, execution);
+  if (prepared.hasRoom)
   {
     place(Lattice(withRoom(all)));
   }

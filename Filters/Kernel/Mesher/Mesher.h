@@ -48,7 +48,8 @@ struct PreparedSurface
   std::optional<ReachedFluid> fluid;   // none: the surface was repaired as bodies are
   std::vector<ClosedContact> contacts; // of several regions
   Meshlines planes;
-  Bounds bounds; // of the surface, user units
+  Bounds bounds;        // of the surface, user units
+  bool hasRoom = false; // around the grid, for the sides of the domain box (DomainBox.h)
   std::vector<KeepPoint> keepPoints;
   bool isEnclosed = false; // the surface must enclose the space around each
   MemoryLimit memoryLimit;

@@ -214,7 +214,8 @@ bool mayNeedSides(const PreparedSurface& prepared, const Options& options, Execu
 std::optional<ReachedFluid> reachFluid(
   PreparedSurface& prepared, const Options& options, Execution& execution)
 {
-  const bool mayReach = options.domain.isOutside() || !options.domain.keepPoints.empty();
+  const bool mayReach =
+    options.domain.isOutside() ? prepared.hasRoom : !options.domain.keepPoints.empty();
   return mayReach ? FluidReacher(prepared, options, execution).run(prepared) : std::nullopt;
 }
 
