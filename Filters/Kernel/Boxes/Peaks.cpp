@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -238,6 +239,44 @@ std::vector<Around> trianglesAround(
   return all;
 }
 
+// Rims of sheets along a level, as walls as wide as they are long: a plane a few levels to the side of the sheet would cut a
+// film off it, whose two sides are nearer to the plane than points of patches may be; on the other side it leaves it whole.
+void addRimsOfSheets(const Surface& surface, const Heights& heights,
+  const std::vector<std::uint8_t>& isNear, WallsByLevel& peaks)
+{
+  struct Beside
+  {
+    bool below = false;
+    bool above = false;
+  };
+  std::map<std::array<std::uint32_t, 2>, Beside> rims;
+  for (std::size_t t = 0; t < surface.ofSheet.size(); ++t)
+  {
+    const auto& c = surface.triangles[t];
+    for (std::size_t i = 0; i < 3 && surface.ofSheet[t] != 0; ++i)
+    {
+      const std::uint32_t from = c[i];
+      const std::uint32_t to = following(c, i);
+      if (isNear[from] != 0 && heights.of(from) == heights.of(to))
+      {
+        const Level third = heights.of(preceding(c, i));
+        Beside& beside = rims[{ std::min(from, to), std::max(from, to) }];
+        beside.below = beside.below || third <= heights.of(from);
+        beside.above = beside.above || third >= heights.of(from);
+      }
+    }
+  }
+  for (const auto& [edge, beside] : rims)
+  {
+    if (beside.below != beside.above)
+    {
+      const double length = norm(minus(surface.vertices[edge[1]], surface.vertices[edge[0]]));
+      WallAreas& ofLevel = peaks[heights.of(edge[0])];
+      (beside.above ? ofLevel.domainAbove : ofLevel.domainBelow) += length * length;
+    }
+  }
+}
+
 }
 
 double projectedArea(const Corners& c, std::size_t axis)
@@ -278,6 +317,7 @@ WallsByLevel peaksAmong(const Surface& surface, std::size_t axis,
     }
     vertex = next;
   }
+  addRimsOfSheets(surface, heights, isNear, peaks);
   return peaks;
 }
 

@@ -34,7 +34,7 @@ double projectedArea(const Corners& c, std::size_t axis);
 // Of the vertices for which `isNear` is 1: the levels where the walls of a region neither rise through nor fall through
 // a vertex, and the area of the triangles around it that are not steep. On a ridge at one level that is one vertex or
 // more. Also where bodies of one region touch: a plane along the line of contact is not to cut both there. Vertices of
-// flat walls and of sheets are left out. The surface is oriented.
+// flat walls and of sheets are left out, but not edges of rims of sheets along a level. The surface is oriented.
 WallsByLevel peaksAmong(const Surface& surface, std::size_t axis,
   const std::vector<std::uint8_t>& isNear, Execution& execution);
 

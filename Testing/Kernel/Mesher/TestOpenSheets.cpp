@@ -320,6 +320,36 @@ TEST(OpenSheets, AreNoneIfTheyLieOnASideOfTheDomain)
 }
 
 // With one edge; or with the whole rim, from wall to wall.
+// Round numbers: a level beyond a plane there would be a film. Of long triangles, in single precision.
+TEST(OpenSheets, MayEndAlongPlanes)
+{
+  constexpr std::uint32_t Corners = 24;
+  Soup tube;
+  for (std::uint32_t i = 0; i < Corners; ++i)
+  {
+    const double angle = 2 * 3.14159265358979 * i / Corners;
+    const auto x = double(float(0.2 * std::cos(angle)));
+    const auto y = double(float(0.2 * std::sin(angle)));
+    tube.points.push_back({ x, y, 0.5 });
+    tube.points.push_back({ x, y, double(0.97F) });
+    const std::uint32_t next = (i + 1) % Corners;
+    tube.triangles.push_back({ 2 * i, 2 * next, 2 * next + 1 });
+    tube.triangles.push_back({ 2 * i, 2 * next + 1, 2 * i + 1 });
+  }
+  tube.boundary.assign(tube.triangles.size(), OfSheet);
+  TestOptions options;
+  options.sheets = SheetHandling::Keep;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Soup both = box({ -0.5, -0.5, 0 }, { 0.5, 0.5, 1 });
+    both.add(tube);
+    both = axis == 0 ? both : both.permuted({ axis, (axis + 1) % 3, (axis + 2) % 3 });
+    const Meshed meshed = meshOf(both, cellsOf(0.1), options);
+    EXPECT_TRUE(meshed.flawedBoxes.empty()) << axis;
+    EXPECT_EQ(meshed.statistics.at("BoxesRebuilt"), 0) << axis;
+  }
+}
+
 TEST(OpenSheets, MayStandOnWalls)
 {
   const Soup upright = patch(4, [](double u, double v) {
