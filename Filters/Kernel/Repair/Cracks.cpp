@@ -21,6 +21,9 @@ namespace
 // What is nearer than this along a rim, by the width of cracks there, is the same side of a crack.
 constexpr double SameSide = 4;
 
+// A rim is straight from one corner to another if it is not longer by this part than the way.
+constexpr double Straight = 1e-9;
+
 bool isIn(const std::vector<std::uint32_t>& sorted, std::uint32_t vertex)
 {
   return std::binary_search(sorted.begin(), sorted.end(), vertex);
@@ -273,14 +276,20 @@ private:
     {
       joined[to].push_back(from);
     }
-    const auto isOfStrip = [&](std::uint32_t corner, const OpenEdge& edge) {
+    // Straight along the rim from one to the other: they are corners of a face that is divided otherwise than the one beside it.
+    const auto areAlongRim = [&](std::uint32_t one, std::uint32_t end, double width) {
+      const double length = norm(minus(surface_.vertices[end], surface_.vertices[one]));
+      return length > SameSide * width && isIn(given.near(one, length * (1 + Straight)), end);
+    };
+    const auto isOfStrip = [&](std::uint32_t corner, const OpenEdge& edge, double width) {
       std::vector<std::uint32_t> all =
         joined.count(corner) > 0 ? joined.at(corner) : std::vector<std::uint32_t>();
       all.push_back(corner);
       const auto& ends = surface_.triangles[edge.triangle];
       return std::any_of(all.begin(), all.end(), [&](std::uint32_t one) {
-        return std::any_of(ends.begin(), ends.end(),
-          [&](std::uint32_t end) { return given.areOfOneTriangle(one, end); });
+        return std::any_of(ends.begin(), ends.end(), [&](std::uint32_t end) {
+          return given.areOfOneTriangle(one, end) && !areAlongRim(one, end, width);
+        });
       });
     };
     forEachMeeting(rims, [&](std::uint32_t corner, const OpenEdge& edge, double width) {
@@ -288,7 +297,7 @@ private:
       const Vector way = minus(placeOf(edge.upper), from);
       const double along = dot(way, minus(placeOf(corner), from)) / std::max(dot(way, way), 1.);
       if (along > 0 && along < 1 && distanceOf(corner, edge.lower, edge.upper) <= width &&
-        !isOfStrip(corner, edge))
+        !isOfStrip(corner, edge, width))
       {
         onEdge_[{ edge.lower, edge.upper }].emplace(along, corner);
       }

@@ -121,6 +121,19 @@ TEST(Cracks, FacesOneByOneAreABody)
   }
 }
 
+// Without a gap: they have corners in common, between which one has more.
+TEST(Cracks, FacesThatShareCornersMayBeDividedDifferently)
+{
+  const Soup faces = patchwork(0);
+  for (const Soup& body : { faces, faces.turned(), faces.turned(2, 45), faces.turned(0, 30) })
+  {
+    const PreparedSurface prepared = prepare(body, cellsOf(0.17));
+    EXPECT_TRUE(prepared.repair.check.closed());
+    EXPECT_TRUE(prepared.repair.holes.empty());
+    EXPECT_NEAR(volumeOf(prepared.surface), 1, 1e-8);
+  }
+}
+
 // A block with a square hole through it, whose walls are boundary 6.
 TEST(Cracks, AHoleThroughABodyStaysOne)
 {
