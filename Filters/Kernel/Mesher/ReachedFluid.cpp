@@ -8,7 +8,9 @@
 #include "Repair/RimsOnWalls.h"
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <map>
+#include <set>
 
 namespace cartesian
 {
@@ -160,12 +162,16 @@ private:
   void closeNarrow(SurfaceRepair& repair)
   {
     const std::size_t before = surface_.triangles.size();
+    for (const OpenEdge& edge : openEdgesOf(surface_, execution_))
+    {
+      atRim_[{ edge.lower, edge.upper }] = edge.triangle;
+    }
     std::vector<Hole> holes =
       closeHoles(surface_, SurfaceEdges(surface_, execution_), prepared_.planes, execution_);
     std::size_t kept = before;
     for (Hole& hole : holes)
     {
-      if (hole.width >= side_ || isOfSheet(hole.rim.front()))
+      if (hole.width >= side_ || isRimOfSheet(hole))
       {
         continue;
       }
@@ -182,18 +188,52 @@ private:
     surface_.boundary.resize(kept);
   }
 
-  // Whether a vertex of the surface given is one of a sheet, whose rim is no hole.
-  bool isOfSheet(std::uint32_t vertex) const
+  // Whether it is around a sheet, not in it: a lid would be about as large as what it is the rim of.
+  bool isRimOfSheet(const Hole& hole) const
   {
-    return vertex < isOfSheet_.size() && isOfSheet_[vertex] != 0;
+    constexpr double LeastLid = 0.7; // as a part of the triangles along the rim
+    const std::uint32_t first = hole.rim.front();
+    if (first >= isOfSheet_.size() || isOfSheet_[first] == 0)
+    {
+      return false;
+    }
+    double lid = 0;
+    for (std::size_t i = 0; i < hole.triangles; ++i)
+    {
+      lid += areaOf(hole.firstTriangle + i);
+    }
+    std::set<std::uint32_t> along;
+    for (std::size_t i = 0; i < hole.rim.size(); ++i)
+    {
+      const std::uint32_t next = hole.rim[(i + 1) % hole.rim.size()];
+      const auto found = atRim_.find({ std::min(hole.rim[i], next), std::max(hole.rim[i], next) });
+      if (found != atRim_.end())
+      {
+        along.insert(found->second);
+      }
+    }
+    double beside = 0;
+    for (const std::uint32_t t : along)
+    {
+      beside += areaOf(t);
+    }
+    return lid > LeastLid * beside;
+  }
+
+  double areaOf(std::size_t triangle) const
+  {
+    const Corners c = surface_.corners(triangle);
+    return norm(cross(minus(c[1], c[0]), minus(c[2], c[0]))) / 2;
   }
 
   const PreparedSurface& prepared_;
   const Options& options_;
   Execution& execution_;
   Surface surface_;
-  double side_;                             // of the smallest box at the surface, levels
-  std::vector<std::uint8_t> isOfSheet_;     // vertices
+  double side_;                         // of the smallest box at the surface, levels
+  std::vector<std::uint8_t> isOfSheet_; // vertices of the surface given
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t>
+    atRim_;                                 // the triangle at an open edge, before holes are closed
   std::vector<std::uint8_t> axisOfTerrain_; // or NoAxis; by the triangle's number in the view
   ReachedFluid fluid_;
 };

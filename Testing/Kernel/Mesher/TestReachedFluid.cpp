@@ -430,6 +430,48 @@ TEST(ReachedFluid, TerrainWithoutAPoint)
   }
 }
 
+// Of two files, with 6 and 9 squares along the border that they share: slits that are no cracks stay between these.
+TEST(ReachedFluid, TerrainOfTilesThatAreDividedDifferently)
+{
+  Soup tiles;
+  for (const std::uint32_t tile : { 0U, 1U })
+  {
+    const std::uint32_t rows = tile == 0 ? 6 : 9;
+    const auto first = static_cast<std::uint32_t>(tiles.points.size());
+    for (std::uint32_t j = 0; j <= rows; ++j)
+    {
+      for (std::uint32_t i = 0; i < 4; ++i)
+      {
+        const double y = double(j) / rows;
+        const double row = std::floor(y * 6);
+        const double part = y * 6 - row;
+        tiles.points.push_back({ (tile + i / 3.) / 2, y,
+          0.2 + 0.05 * ((1 - part) * std::sin(3 * row) + part * std::sin(3 * (row + 1))) });
+      }
+    }
+    for (std::uint32_t j = 0; j < rows; ++j)
+    {
+      for (std::uint32_t i = 0; i < 3; ++i)
+      {
+        const std::uint32_t a = first + 4 * j + i;
+        tiles.triangles.push_back({ a, a + 1, a + 5 });
+        tiles.triangles.push_back({ a, a + 5, a + 4 });
+        tiles.boundary.insert(tiles.boundary.end(), 2, static_cast<std::int32_t>(tile));
+      }
+    }
+  }
+  double below = 0;
+  for (const auto& t : tiles.triangles)
+  {
+    const std::array<Vector, 3> c{ tiles.points[t[0]], tiles.points[t[1]], tiles.points[t[2]] };
+    below += cross(minus(c[1], c[0]), minus(c[2], c[0]))[2] / 6 * (c[0][2] + c[1][2] + c[2][2]);
+  }
+  for (const double cellSize : { 0.23, 0.11 })
+  {
+    EXPECT_NEAR(meshedVolume(tiles, cellSize, optionsForLand(true)), 0.9 - below, 1e-7);
+  }
+}
+
 // Rims that end before the sides are continued level, if a box is wider than what is missing.
 TEST(ReachedFluid, TerrainThatEndsBeforeTheSides)
 {
