@@ -51,6 +51,21 @@ cartesian::Bounds BoundsOf(const vtkBoundingBox& box)
   return bounds;
 }
 
+// Calls `work`; adds the way of a leak that it throws to the defects.
+template <class Work>
+void ShowLeak(vtkPolyData* defects, cartesian::Execution& execution, Work&& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const cartesian::Leak& leak)
+  {
+    cartesian::addLeak(leak.path, defects, execution);
+    throw;
+  }
+}
+
 }
 
 // What all pieces of a mesh have in common.
@@ -416,8 +431,10 @@ bool vtkCartesianMesher::MakeWholeMesh(
   Piece all;
   this->HasOtherFailed = [&] { return processes.hasOtherFailed(); };
   const bool isDone = this->Run(0, 1, [&](cartesian::Execution& execution) {
-    this->Begin(task, all, processes, input, outputs, execution);
-    Make(task, all, execution);
+    ShowLeak(whole.defects, execution, [&] {
+      this->Begin(task, all, processes, input, outputs, execution);
+      Make(task, all, execution);
+    });
     this->Write(task, all, {}, outputs, execution);
     whole.pieces = task.decomposition->split(
       task.decomposition->estimateLayers(execution), static_cast<std::size_t>(pieces));
@@ -449,6 +466,7 @@ void vtkCartesianMesher::RequestCutPiece(const Piece& piece, const cartesian::Pr
     whole->time = time;
     if (!this->MakeWholeMesh(*whole, piece.count, processes, input))
     {
+      vtkPolyData::GetData(output, 2)->ShallowCopy(whole->defects);
       return;
     }
   }
@@ -479,13 +497,15 @@ void vtkCartesianMesher::RequestPieceAlone(
   std::unique_ptr<Task> task = isSame ? std::move(this->Kept) : std::make_unique<Task>();
   this->Kept.reset();
   const bool isDone = this->Run(0, 1, [&](cartesian::Execution& execution) {
-    if (!isSame)
-    {
-      this->Begin(*task, piece, {}, input, output, execution);
-      task->time = time;
-    }
-    this->CountPiecesBefore(*task, piece, execution);
-    Make(*task, piece, execution);
+    ShowLeak(vtkPolyData::GetData(output, 2), execution, [&] {
+      if (!isSame)
+      {
+        this->Begin(*task, piece, {}, input, output, execution);
+        task->time = time;
+      }
+      this->CountPiecesBefore(*task, piece, execution);
+      Make(*task, piece, execution);
+    });
     const auto number = static_cast<std::ptrdiff_t>(piece.number);
     const cartesian::MeshPiece place{ std::accumulate(task->cells.begin(),
                                         task->cells.begin() + number, cartesian::Id(0)),

@@ -263,6 +263,19 @@ public:
 
   ///@{
   /**
+   * Points, in units of the surface, that no part which is meshed may contain. They may lie beyond the grid. Default: none.
+   * BadParameter: one is reached; Defects then has the shortest way there and its gaps (DefectKind 20 and 21).
+   */
+  void SetNumberOfKeepOut(int number) { this->Resize(this->KeepOut, number); }
+  void SetKeepOut(int row, double x, double y, double z)
+  {
+    this->SetRow(this->KeepOut, row, { x, y, z });
+  }
+  const std::vector<std::array<double, 3>>& GetKeepOut() const { return this->KeepOut; }
+  ///@}
+
+  ///@{
+  /**
    * What defines the box: 0, the default, the surface; 1 DomainBounds.
    */
   vtkSetClampMacro(BoxFrom, int, 0, 1);
@@ -478,6 +491,7 @@ protected:
   int CellBudget = 0;
   int Domain = Inside;
   std::vector<std::array<double, 3>> KeepPoints;
+  std::vector<std::array<double, 3>> KeepOut;
   int BoxFrom = 0;
   double DomainBounds[6] = { 0, 1, 0, 1, 0, 1 };
   int FlowDirection = 0;
@@ -510,7 +524,8 @@ private:
   // What can only be made of a whole mesh: then pieces are cut out of one.
   bool NeedsWholeMesh() const
   {
-    return this->Layers > 0 || this->CellBudget > 0 || !this->KeepPoints.empty();
+    return this->Layers > 0 || this->CellBudget > 0 || !this->KeepPoints.empty() ||
+      !this->KeepOut.empty();
   }
   void Begin(Task& task, const Piece& piece, const cartesian::Processes& processes,
     vtkInformationVector** input, vtkInformationVector* output, cartesian::Execution& execution);

@@ -12,7 +12,7 @@
  *
  * Port 1: the edges of the box that Domain Outside meshes, where its grid ends; and an arrow along the flow.
  *
- * Port 2: points with the names of the box's sides, and at KeepPoints (point array Label).
+ * Port 2: points with the names of the box's sides, and at KeepPoints and KeepOut (point array Label).
  *
  * Port 3: lines of the shapes of refinement zones (cell array Depth), those of BoxesAlongBody included: their sharp edges, or
  * sections if they are round.

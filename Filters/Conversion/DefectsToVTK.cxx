@@ -6,9 +6,11 @@
 
 #include "Boxes/Sides.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
@@ -58,11 +60,17 @@ constexpr std::array<std::pair<DefectKind, const char*>, 3> LayerNames = { {
   { DefectKind::LayersEndAtFault, "LayersEndAtFault" },
 } };
 
+constexpr std::array<std::pair<DefectKind, const char*>, 2> LeakNames = { {
+  { DefectKind::LeakPath, "LeakPaths" },
+  { DefectKind::LeakGap, "GapsOfLeak" },
+} };
+
 const char* nameOf(DefectKind kind)
 {
-  const auto* found = std::find_if(CountNames.begin(), CountNames.end(),
-    [kind](const auto& count) { return count.first == kind; });
-  return found == CountNames.end() ? CellsLeftOut : found->second;
+  const auto is = [kind](const auto& count) { return count.first == kind; };
+  const auto* found = std::find_if(CountNames.begin(), CountNames.end(), is);
+  return found != CountNames.end() ? found->second
+                                   : std::find_if(LeakNames.begin(), LeakNames.end(), is)->second;
 }
 
 class DefectWriter
@@ -398,6 +406,40 @@ void addEndedLayers(const BoundaryLayers& layers, vtkPolyData* boundary, vtkPoly
     }
     setField(output, LayerNames[i].second, { static_cast<double>(ended[i].size()) });
   }
+}
+
+void addLeak(const LeakPath& path, vtkPolyData* output, Execution& execution)
+{
+  SurfaceDefects leak;
+  const auto add = [&](DefectKind kind, const Vector* points, std::size_t size, double width) {
+    leak.defects.push_back({ kind, SurfaceDefects::None, SurfaceDefects::None,
+      static_cast<std::uint32_t>(size), false, width });
+    leak.points.insert(leak.points.end(), points, points + size);
+  };
+  if (!path.points.empty())
+  {
+    const auto narrowest = std::min_element(path.gaps.begin(), path.gaps.end(),
+      [](const LeakGap& a, const LeakGap& b) { return a.width < b.width; });
+    add(DefectKind::LeakPath, path.points.data(), path.points.size(),
+      narrowest == path.gaps.end() ? 0 : narrowest->width);
+  }
+  for (const LeakGap& gap : path.gaps)
+  {
+    add(DefectKind::LeakGap, gap.across.data(), gap.across.size(), gap.width);
+  }
+  vtkNew<vtkPolyData> lines;
+  toVTK(leak, {}, lines, execution);
+  vtkNew<vtkAppendPolyData> all;
+  all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  all->AddInputData(output);
+  all->AddInputData(lines);
+  all->Update();
+  vtkNew<vtkFieldData> counts;
+  counts->ShallowCopy(output->GetFieldData());
+  output->ShallowCopy(all->GetOutput());
+  output->SetFieldData(counts);
+  setField(output, LeakNames[0].second, { path.points.empty() ? 0.0 : 1.0 });
+  setField(output, LeakNames[1].second, { static_cast<double>(path.gaps.size()) });
 }
 
 }

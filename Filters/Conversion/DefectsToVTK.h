@@ -2,11 +2,12 @@
 // The defects of a surface as a vtkPolyData of lines and triangles.
 //
 // Cell arrays: DefectKind (int: SurfaceDefects.h, vtkSurfaceInspector.h), DefectName (string), SurfaceCell and OtherCell (id
-// type: cells of the surface, or -1), Width (double: of closed contacts, else 0), Volume (double: of cells left out,
+// type: cells of the surface, or -1), Width (double: of what was closed or joined and of leaks, else 0), Volume (double: of cells left out,
 // else 0). Field data: one number for each count.
 #pragma once
 
 #include "Mesher/Assembly.h"
+#include "Mesher/LeakPath.h"
 #include "Repair/SurfaceDefects.h"
 
 #include "vtkType.h"
@@ -37,5 +38,8 @@ void addFailingCells(
 // Adds the wall faces without a whole stack of layers, of kinds LayersEnd... `boundary`: the faces of the layered boundary, in
 // order.
 void addEndedLayers(const BoundaryLayers& layers, vtkPolyData* boundary, vtkPolyData* output);
+
+// Adds the way to a point to keep out, of kind LeakPath, with the width of its narrowest gap, and its gaps, of kind LeakGap.
+void addLeak(const LeakPath& path, vtkPolyData* output, Execution& execution);
 
 }

@@ -30,6 +30,7 @@ void setDomainOptions(Filter* filter, Options& options)
     domain.bounds.high[axis] = filter->GetDomainBounds()[2 * axis + 1];
   }
   domain.keepPoints = filter->GetKeepPoints();
+  domain.keepOut = filter->GetKeepOut();
 }
 
 template <class Filter>
@@ -43,12 +44,16 @@ void printDomainProperties(Filter* filter, ostream& os, vtkIndent indent)
     os << " " << filter->GetDomainBounds()[i];
   }
   os << "\n";
-  os << indent << "KeepPoints:";
-  for (const auto& point : filter->GetKeepPoints())
+  for (const auto& [name, points] : { std::pair("KeepPoints:", &filter->GetKeepPoints()),
+         std::pair("KeepOut:", &filter->GetKeepOut()) })
   {
-    os << " (" << point[0] << " " << point[1] << " " << point[2] << ")";
+    os << indent << name;
+    for (const auto& point : *points)
+    {
+      os << " (" << point[0] << " " << point[1] << " " << point[2] << ")";
+    }
+    os << "\n";
   }
-  os << "\n";
   os << indent << "FlowDirection: " << filter->GetFlowDirection() << "\n";
   os << indent << "LengthsBefore: " << filter->GetLengthsBefore() << "\n";
   os << indent << "LengthsBehind: " << filter->GetLengthsBehind() << "\n";

@@ -312,6 +312,10 @@ void labelsToVTK(const Bounds& box, const DomainSpec& domain, vtkPolyData* label
   {
     add(point, "keep");
   }
+  for (const std::array<double, 3>& point : domain.keepOut)
+  {
+    add(point, "keep out");
+  }
   labels->SetPoints(points);
   labels->SetVerts(vertices);
   labels->GetPointData()->AddArray(texts);

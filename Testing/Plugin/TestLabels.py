@@ -26,7 +26,7 @@ preview = {"Preview": 1}
 regions = {"RegionsFrom": "One", "RegionArray": "", "ContactTolerance": 0.0, "CrackWidth": 0.0, "CloseGaps": 0.0, "Sheets": "Automatic"}
 domain = {"Domain": "Inside", "BoxFrom": "Surface", "DomainBounds": [0, 1, 0, 1, 0, 1],
           "FlowDirection": "Plus X", "LengthsBefore": 3, "LengthsBehind": 5, "LengthsBeside": 3,
-          "Ground": "None", "Half": "None", "SideNames": "Flow", "BoxesAlongBody": 60, "KeepPoints": []}
+          "Ground": "None", "Half": "None", "SideNames": "Flow", "BoxesAlongBody": 60, "KeepPoints": [], "KeepOut": []}
 
 surface = simple.Sphere()
 cube = simple.Box()

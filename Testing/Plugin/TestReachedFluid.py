@@ -92,6 +92,20 @@ with Messages() as said:
     assert "no_surface" in boundaries(open_)
 assert "closed by a lid" in str(said), str(said)
 
+# Not with a point to keep out: an error, whose way through the nozzle Defects shows.
+open_.KeepOut = [0.5, 0.5, 3]
+with Messages() as said:
+    open_.UpdatePipeline()
+assert "Row 0 of Keep Out, (0.5, 0.5, 3), is reached from Row 0 of Keep Points" in str(said) and "through 1 gap" in str(said), said
+defects = open_.GetClientSideObject().GetOutputDataObject(2)
+kinds, widths = (np.array([defects.GetCellData().GetArray(name).GetTuple1(c) for c in range(defects.GetNumberOfCells())])
+                 for name in ("DefectKind", "Width"))
+way = defects.GetCell(int(np.flatnonzero(kinds == 20)[0])).GetPoints()
+assert np.allclose(way.GetPoint(0), (0.35, 0.35, 0.35)), way.GetPoint(0)
+assert np.allclose(way.GetPoint(way.GetNumberOfPoints() - 1), (0.5, 0.5, 3))
+assert np.allclose(widths[kinds >= 20], 2 * RADIUS, rtol=0.1) and (kinds == 21).sum() == 1, widths
+assert open_.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells() == 0
+
 
 def land(lines):
     """Piecewise linear over lines that are the same along x and y, and what is below it between 0 and 100, from 0 up."""

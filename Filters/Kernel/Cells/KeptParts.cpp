@@ -64,6 +64,31 @@ public:
     }
   }
 
+  // That a part which stays contains; points must have been kept.
+  std::optional<ReachedPoint> leak(const PartsToKeep& which)
+  {
+    for (std::size_t out = 0; out < which.keepOut.size(); ++out)
+    {
+      const KeepPoint& point = which.keepOut[out];
+      if (point.isBeyond || !point.winding.inside())
+      {
+        continue;
+      }
+      const std::uint32_t part = parts_.find(elementAt(point));
+      if (which.points.empty())
+      {
+        return ReachedPoint{ out, None };
+      }
+      const auto from = std::find_if(which.points.begin(), which.points.end(),
+        [&](const KeepPoint& kept) { return parts_.find(elementAt(kept)) == part; });
+      if (from != which.points.end())
+      {
+        return ReachedPoint{ out, static_cast<std::size_t>(from - which.points.begin()) };
+      }
+    }
+    return std::nullopt;
+  }
+
   KeptParts result()
   {
     KeptParts kept;
@@ -387,6 +412,12 @@ KeptParts findKeptParts(const PartsToKeep& which, const Boxes& boxes, const Patc
   for (const KeepPoint& point : which.points)
   {
     parts.keep(point);
+  }
+  KeptParts kept;
+  kept.leak = parts.leak(which);
+  if (kept.leak || which.points.empty())
+  {
+    return kept;
   }
   if (which.isEnclosed)
   {

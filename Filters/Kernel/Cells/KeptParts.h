@@ -5,17 +5,29 @@
 #include "Cells/WallMesh.h"
 #include "Surface/KeepPoints.h"
 
+#include <optional>
+
 namespace cartesian
 {
 
 struct PartsToKeep
 {
-  std::vector<KeepPoint> points; // none: all parts
-  bool isEnclosed = false;       // none of them may reach the grid's ends
+  std::vector<KeepPoint> points;    // none: all parts
+  std::vector<KeepPoint> keepOut;   // in no part that stays
+  const Surface* surface = nullptr; // the walls, for the way there
+  bool isEnclosed = false;          // none of them may reach the grid's ends
+};
+
+// Numbers of a point to keep out that is reached, and of the first one that it is reached from; None if all parts stay.
+struct ReachedPoint
+{
+  std::size_t keptOut;
+  std::size_t from;
 };
 
 struct KeptParts
 {
+  std::optional<ReachedPoint> leak;         // then nothing else is known
   std::size_t leftOut = 0;                  // parts
   std::vector<std::uint32_t> boxes;         // that stay, by their old numbers, in order
   std::vector<std::uint8_t> corners;        // of these: the corners that stay inside

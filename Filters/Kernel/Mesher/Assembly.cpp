@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesher/Assembly.h"
 
+#include "Mesher/LeakPath.h"
+
 #include "Base/Error.h"
 #include "Cells/Cells.h"
 #include "Cells/ConnectedCells.h"
@@ -211,17 +213,42 @@ BoxFlags rebuildFlawed(Assembly& a, BoxFlags flawed, Execution& execution)
   return flawed;
 }
 
+[[noreturn]] void tellLeak(
+  const Assembly& a, const ReachedPoint& leak, const PartsToKeep& which, Execution& execution)
+{
+  LeakSearch search;
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    search.low[axis] = a.boxes.planes[axis].front();
+    search.high[axis] = a.boxes.planes[axis].back();
+  }
+  for (std::uint32_t b = 0; b < a.boxes.packed.size(); ++b)
+  {
+    const Box box = a.boxes.box(b);
+    least = std::min(least, double(box.high[0] - box.low[0]));
+  }
+  search.spacing = least / 2;
+  search.from = leak.from == None ? nullptr : &which.points[leak.from];
+  search.to = &which.keepOut[leak.keptOut];
+  throw Leak(search, findLeak(*which.surface, search, execution));
+}
+
 // Leaves out all parts without a point to keep: from then on, it is as if the surface did not have them. Returns
 // the boxes that are flawed.
 BoxFlags keepParts(Assembly& a, BoxFlags flawed, const PartsToKeep& which, const Options& options,
   Execution& execution)
 {
-  if (which.points.empty())
+  if (which.points.empty() && which.keepOut.empty())
   {
     return flawed;
   }
   const KeptParts kept = findKeptParts(
     which, a.boxes, a.patches, a.sides, a.nodes, makeCells(a, options, execution), execution);
+  if (kept.leak)
+  {
+    tellLeak(a, *kept.leak, which, execution);
+  }
   a.separate.leftOut = kept.leftOut;
   if (kept.leftOut == 0)
   {

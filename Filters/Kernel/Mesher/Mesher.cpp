@@ -88,10 +88,11 @@ void requireOneRegion(const SurfaceView& view, const DomainSpec& domain)
       "Domain is " + name +
         ", which allows only one region: set Regions From to One, or Domain to Inside.");
   }
-  if (view.region && !domain.keepPoints.empty())
+  if (view.region && !(domain.keepPoints.empty() && domain.keepOut.empty()))
   {
     throw Error(Fault::BadParameter,
-      "Keep Points work with one region only: remove them, or set Regions From to One.");
+      "Keep Points and Keep Out work with one region only: remove them, or set Regions From to "
+      "One.");
   }
 }
 
@@ -99,7 +100,7 @@ void requireOneRegion(const SurfaceView& view, const DomainSpec& domain)
 bool mayDivide(const Options& options)
 {
   return options.domain.domain == Domain::Inside && options.domain.keepPoints.empty() &&
-    !options.layers.any();
+    options.domain.keepOut.empty() && !options.layers.any();
 }
 
 MeshedSide meshedOf(const DomainSpec& domain)
@@ -225,7 +226,9 @@ void chooseDomain(const DomainSpec& domain, PreparedSurface& prepared)
   if (prepared.fluid)
   {
     prepared.keepPoints.clear(); // there is nothing else
+    return;
   }
+  prepared.keepOut = keepOutOnLattice(domain.keepOut, surface, prepared.planes);
 }
 
 }
@@ -260,7 +263,7 @@ PreparedSurface placeOnGrid(
   prepared.hasRoom = mayNeedSides(prepared, options, execution);
   if (prepared.hasRoom)
   {
-    place(Lattice(withRoom(all)));
+    place(Lattice(isOutside ? withRoom(all) : withRoomAround(all)));
   }
   if (isOutside)
   {
@@ -355,7 +358,8 @@ std::unique_ptr<Assembly> meshPart(const PreparedSurface& prepared,
   const Decomposition& decomposition, SlabRange core, const Options& options, Execution& execution)
 {
   requireSpace(prepared, options);
-  const PartsToKeep parts{ prepared.keepPoints, prepared.isEnclosed };
+  const PartsToKeep parts{ prepared.keepPoints, prepared.keepOut, &prepared.surface,
+    prepared.isEnclosed };
   Boxes boxes = decomposition.boxes(core, execution);
   const MeshEstimate estimate = decomposition.together(
     estimateLayers(decomposition.shoeboxes(), boxes, execution), decomposition.allLayers());

@@ -51,6 +51,7 @@ struct PreparedSurface
   Bounds bounds;        // of the surface, user units
   bool hasRoom = false; // around the grid, for the sides of the domain box (DomainBox.h)
   std::vector<KeepPoint> keepPoints;
+  std::vector<KeepPoint> keepOut;
   bool isEnclosed = false; // the surface must enclose the space around each
   MemoryLimit memoryLimit;
 

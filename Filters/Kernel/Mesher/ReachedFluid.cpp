@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesher/ReachedFluid.h"
 
+#include "Mesher/LeakPath.h"
 #include "Mesher/Mesher.h"
 #include "Repair/DomainBox.h"
 #include "Repair/OpenRims.h"
@@ -54,7 +55,7 @@ public:
       return std::nullopt;
     }
     ReachSpec spec{ placesOnLattice(options_.domain.keepPoints, surface_.lattice, prepared_.planes),
-      options_.baffles, std::nullopt, std::nullopt };
+      {}, options_.baffles, std::nullopt, std::nullopt };
     findTerrain();
     if (spec.points.empty() && fluid_.seenFrom == DomainSide::NoSide)
     {
@@ -79,7 +80,13 @@ public:
         spec.seenFrom = *spec.firstOfBox + 2 * (static_cast<std::size_t>(fluid_.seenFrom) - 1);
       }
     }
-    if (!keepReached(surface_, spec, execution_))
+    keepOut(spec);
+    const Reach reach = keepReached(surface_, spec, execution_);
+    if (reach.keptOut)
+    {
+      tellLeak(reach);
+    }
+    if (!reach.hasWalls)
     {
       return std::nullopt;
     }
@@ -90,6 +97,38 @@ public:
   }
 
 private:
+  // What is beyond a domain box is not meshed.
+  void keepOut(ReachSpec& spec)
+  {
+    keepOut_ = keepOutOnLattice(options_.domain.keepOut, surface_, prepared_.planes);
+    const auto isNowhere = [&](const KeepPoint& point) {
+      return point.isBeyond && options_.domain.isOutside();
+    };
+    keepOut_.erase(std::remove_if(keepOut_.begin(), keepOut_.end(), isNowhere), keepOut_.end());
+    for (const KeepPoint& point : keepOut_)
+    {
+      spec.keepOut.push_back(point.isBeyond ? std::nullopt : std::optional(point.at));
+    }
+  }
+
+  // Without a domain box the way may lead around the surface, where there is room.
+  [[noreturn]] void tellLeak(const Reach& reach)
+  {
+    const std::vector<KeepPoint> points =
+      onLattice(options_.domain.keepPoints, surface_, prepared_.planes);
+    LeakSearch search;
+    search.spacing = side_ / 2;
+    search.from = reach.from ? &points[*reach.from] : nullptr;
+    search.to = &keepOut_[*reach.keptOut];
+    const Level around = options_.domain.isOutside() ? 0 : roomAround(prepared_.planes);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      search.low[axis] = prepared_.planes[axis].front() - around;
+      search.high[axis] = prepared_.planes[axis].back() + around;
+    }
+    throw Leak(search, findLeak(surface_, search, execution_));
+  }
+
   void findTerrain()
   {
     const DomainSpec& domain = options_.domain;
@@ -235,6 +274,7 @@ private:
   std::map<std::array<std::uint32_t, 2>, std::uint32_t>
     atRim_;                                 // the triangle at an open edge, before holes are closed
   std::vector<std::uint8_t> axisOfTerrain_; // or NoAxis; by the triangle's number in the view
+  std::vector<KeepPoint> keepOut_;
   ReachedFluid fluid_;
 };
 
@@ -243,7 +283,8 @@ private:
 bool mayNeedSides(const PreparedSurface& prepared, const Options& options, Execution& execution)
 {
   const DomainSpec& domain = options.domain;
-  if (!domain.isOutside() || openEdgesOf(prepared.surface, execution).empty())
+  const bool mayLeak = !domain.keepPoints.empty() && !domain.keepOut.empty();
+  if (!(domain.isOutside() || mayLeak) || openEdgesOf(prepared.surface, execution).empty())
   {
     return false;
   }

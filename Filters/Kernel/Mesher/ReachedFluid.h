@@ -19,7 +19,8 @@ struct PreparedSurface;
 
 struct ReachedFluid
 {
-  std::size_t openEdges = 0; // of the surface, before
+  std::size_t openEdges = 0;     // of the surface, before
+  bool isKeptOutReached = false; // if it leaks, the surface ends a little beyond the grid
 
   // Of terrain without Keep Points, its boundary and the side of the box that it is seen from; none: NoSide.
   std::int32_t terrain = 0;
@@ -30,7 +31,8 @@ struct ReachedFluid
 bool mayNeedSides(const PreparedSurface& prepared, const Options& options, Execution& execution);
 
 // Replaces the surface by the walls of the fluid. None, with nothing changed: it is closed, nothing says where the fluid
-// is, or the fluid leaks out. Throws Error: as placesOnLattice() (KeepPoints.h).
+// is, or the fluid leaks out. Throws Error: as placesOnLattice() (KeepPoints.h); Leak (LeakPath.h): it reaches a point to keep
+// out.
 std::optional<ReachedFluid> reachFluid(
   PreparedSurface& prepared, const Options& options, Execution& execution);
 

@@ -17,8 +17,31 @@ namespace
 // How far the sides are beyond the planes, as a part of the grid's longest side: much more than files round.
 constexpr double Beyond = 1.0 / 256;
 
+// How far a way around the surface may lead, as another such part.
+constexpr double Around = 1.0 / 4;
+
 // Terrain covers at least this part of the box's cross section.
 constexpr double LeastCover = 0.5;
+
+double longestOf(const Meshlines& planes)
+{
+  double longest = 0;
+  for (const std::vector<Level>& lines : planes)
+  {
+    longest = std::max(longest, double(lines.back()) - lines.front());
+  }
+  return longest;
+}
+
+Bounds grown(Bounds grid, double room)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    grid.low[axis] -= room;
+    grid.high[axis] += room;
+  }
+  return grid;
+}
 
 class Sides
 {
@@ -27,12 +50,7 @@ public:
   Sides(const Meshlines& planes, double near, std::size_t butAcross = NoAxis)
     : butAcross_(butAcross)
   {
-    double longest = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      longest = std::max(longest, double(planes[axis].back()) - planes[axis].front());
-    }
-    const Level beyond = oddLevel(Beyond * longest); // planes are on even levels
+    const Level beyond = oddLevel(Beyond * longestOf(planes)); // planes are on even levels
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       level_[2 * axis] = planes[axis].front() - beyond;
@@ -160,13 +178,17 @@ bool reachesAround(const Surface& surface, const Part& part, const Sides& sides,
 
 Bounds withRoom(Bounds grid)
 {
-  const double room = 2 * Beyond * grid.longest();
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    grid.low[axis] -= room;
-    grid.high[axis] += room;
-  }
-  return grid;
+  return grown(grid, 2 * Beyond * grid.longest());
+}
+
+Level roomAround(const Meshlines& planes)
+{
+  return oddLevel(Around * longestOf(planes));
+}
+
+Bounds withRoomAround(Bounds grid)
+{
+  return grown(grid, 2 * Around * grid.longest());
 }
 
 std::vector<Terrain> findTerrain(

@@ -15,6 +15,10 @@ constexpr std::size_t NoAxis = 3;
 // Bounds of the grid with room for the sides.
 Bounds withRoom(Bounds grid);
 
+// How far around the grid a way may lead that leaks out (LeakPath.h), in levels; and bounds of the grid with room for that.
+Level roomAround(const Meshlines& planes);
+Bounds withRoomAround(Bounds grid);
+
 // A part of the surface that divides the box: its rims reach the four sides around an axis.
 struct Terrain
 {

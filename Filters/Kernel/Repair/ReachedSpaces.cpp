@@ -218,14 +218,14 @@ public:
   {
   }
 
-  bool run(Surface& result)
+  Reach run(Surface& result)
   {
     // Far from the origin files round much; what is nearly coplanar is then taken as it is given.
     arranged_.rounding = canBeArranged(arranged_, placingOf(arranged_)) ? arranged_.rounding : 1;
     const Placing placing = placingOf(arranged_);
     if (!canBeArranged(arranged_, placing) || !arrange(arranged_, placing, execution_))
     {
-      return false;
+      return {};
     }
     const std::vector<Piece> pieces = piecesOf(arranged_);
     ReachedSides sides(arranged_, pieces, execution_);
@@ -238,9 +238,13 @@ public:
     {
       isFluid[sides.beside(*seen, false)] = true;
     }
+    if (const Reach reach = reachOfKeptOut(sides, isFluid); reach.keptOut)
+    {
+      return reach;
+    }
     if (isFluid.count(sides.farAway()) != 0)
     {
-      return false;
+      return {};
     }
     const Spaces spaces = spacesOf(pieces, sides, isFluid);
     const bool isBox = spec_.firstOfBox.has_value();
@@ -249,14 +253,31 @@ public:
         pieces, spaces, execution_);
     if (walls.triangles.empty())
     {
-      return false;
+      return {};
     }
     takeWalls(result, std::move(walls));
     nameOneSided(result);
-    return true;
+    return { true };
   }
 
 private:
+  Reach reachOfKeptOut(ReachedSides& sides, const std::map<std::uint32_t, bool>& isFluid) const
+  {
+    for (std::size_t i = 0; i < spec_.keepOut.size(); ++i)
+    {
+      const std::optional<Point>& out = spec_.keepOut[i];
+      const std::uint32_t space = out ? sides.at(*out) : sides.farAway();
+      if (isFluid.count(space) != 0)
+      {
+        const auto from = std::find_if(spec_.points.begin(), spec_.points.end(),
+          [&](const Point& point) { return sides.at(point) == space; });
+        const auto number = static_cast<std::size_t>(from - spec_.points.begin());
+        return { false, i, number < spec_.points.size() ? std::optional(number) : std::nullopt };
+      }
+    }
+    return {};
+  }
+
   // The largest piece of the triangle of the box that the fluid is seen from.
   std::optional<std::uint32_t> seenPiece(const std::vector<Piece>& pieces) const
   {
@@ -344,16 +365,16 @@ private:
 
 }
 
-bool keepReached(Surface& surface, const ReachSpec& spec, Execution& execution)
+Reach keepReached(Surface& surface, const ReachSpec& spec, Execution& execution)
 {
   Surface reached = surface;
-  if (!FluidFinder(surface, spec, execution).run(reached))
+  const Reach reach = FluidFinder(surface, spec, execution).run(reached);
+  if (reach.hasWalls)
   {
-    return false;
+    surface = std::move(reached);
+    surface.byParity.clear();
   }
-  surface = std::move(reached);
-  surface.byParity.clear();
-  return true;
+  return reach;
 }
 
 }

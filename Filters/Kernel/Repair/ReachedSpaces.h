@@ -20,7 +20,8 @@ namespace cartesian
 // Where the fluid is known to be.
 struct ReachSpec
 {
-  std::vector<Point> points; // even levels, on no triangle
+  std::vector<Point> points;                 // even levels, on no triangle
+  std::vector<std::optional<Point>> keepOut; // the same; none: far away
   std::vector<Baffle> baffles;
 
   // From here on triangles are the sides of the domain box, with normals that point out of it (DomainBox.h): no walls, and what is
@@ -30,9 +31,16 @@ struct ReachSpec
     seenFrom; // a triangle of the box: the largest part of it has fluid behind it
 };
 
+struct Reach
+{
+  bool hasWalls = false;                   // else the surface is as it was
+  std::optional<std::size_t> keptOut = {}; // the first one that is reached; then there are no walls
+  std::optional<std::size_t> from = {};    // the first of the points that reach it
+};
+
 // Replaces the surface by the walls around what is reached, with normals that point out of it, or into it where there
-// is a box; and by sheets, which get sides (ThinSheets.h). False, with the surface as it was: what is reached goes on for ever,
-// has no walls, or triangles do not settle.
-bool keepReached(Surface& surface, const ReachSpec& spec, Execution& execution);
+// is a box; and by sheets, which get sides (ThinSheets.h). No walls: what is reached goes on for ever, has none, or triangles do
+// not settle.
+Reach keepReached(Surface& surface, const ReachSpec& spec, Execution& execution);
 
 }

@@ -34,8 +34,10 @@ enum class DefectKind
   LayersEndAtFault = 17,  // ... a cell or face would fail there, or at the stack beside it
   JoinedCrack = 18, // an open edge that ran along others and is joined with them (Cracks.h); line
   ClosedGap = 19,   // a hole that was closed as asked (ClosedGaps.h); line around it
+  LeakPath = 20,    // of the mesh: the way to a point to keep out (LeakPath.h); line along it
+  LeakGap = 21,     // ... a gap that it passes; line across
 };
-constexpr std::size_t DefectKinds = 20; // from 1
+constexpr std::size_t DefectKinds = 22; // from 1
 
 // Two triangles with a smaller angle between them, in degrees, are a fold.
 constexpr double FoldAngle = 1;

@@ -10,6 +10,8 @@
 #include "Surface/Surface.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace cartesian
 {
@@ -78,6 +80,39 @@ public:
     }
   }
 
+  // The triangle with the least distance(triangle), in levels, from a place; of equally near ones the first along the curve. There
+  // must be one.
+  template <class Distance>
+  std::uint32_t nearest(const Vector& place, Distance&& distance) const
+  {
+    std::array<std::pair<std::size_t, std::size_t>, 2 * MostLevels> stack; // level, node
+    std::size_t size = 0;
+    stack[size++] = { levels_.size() - 1, 0 };
+    double least = std::numeric_limits<double>::infinity();
+    std::uint32_t best = order_.front();
+    while (size > 0)
+    {
+      const auto [level, n] = stack[--size];
+      if (n >= levels_[level].size() || levels_[level][n].distanceTo(place) >= least)
+      {
+        continue;
+      }
+      if (level == 0)
+      {
+        const double d = distance(order_[n]);
+        best = d < least ? order_[n] : best;
+        least = std::min(least, d);
+        continue;
+      }
+      const std::vector<TreeNode>& below = levels_[level - 1];
+      const bool isSecondNearer = 2 * n + 1 < below.size() &&
+        below[2 * n + 1].distanceTo(place) < below[2 * n].distanceTo(place);
+      stack[size++] = { level - 1, 2 * n + (isSecondNearer ? 0 : 1) };
+      stack[size++] = { level - 1, 2 * n + (isSecondNearer ? 1 : 0) };
+    }
+    return best;
+  }
+
 private:
   static constexpr std::size_t MostLevels = 34;
 
@@ -97,6 +132,18 @@ private:
     {
       return low[0] <= to[0] && from[0] <= high[0] && low[1] <= to[1] && from[1] <= high[1] &&
         low[2] <= to[2] && from[2] <= high[2];
+    }
+
+    double distanceTo(const Vector& place) const
+    {
+      double square = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double beyond =
+          std::max({ low[axis] - place[axis], place[axis] - double(high[axis]), 0.0 });
+        square += beyond * beyond;
+      }
+      return std::sqrt(square);
     }
   };
 

@@ -86,6 +86,7 @@ struct DomainSpec
 
   // In user units: connected parts of the domain without any are left out; none: all parts stay.
   std::vector<std::array<double, 3>> keepPoints;
+  std::vector<std::array<double, 3>> keepOut; // no part that stays may contain one
 
   bool isOutside() const { return domain == Domain::Outside; }
 };

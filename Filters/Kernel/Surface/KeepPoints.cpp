@@ -14,10 +14,37 @@ namespace cartesian
 namespace
 {
 
-std::string nameOf(std::size_t row, const std::array<double, 3>& place)
+std::string nameOf(const char* list, std::size_t row, const std::array<double, 3>& place)
 {
-  return "Row " + std::to_string(row) + " of Keep Points, (" + number(place[0]) + ", " +
+  return "Row " + std::to_string(row) + " of " + list + ", (" + number(place[0]) + ", " +
     number(place[1]) + ", " + number(place[2]) + "),";
+}
+
+constexpr const char* KeepPoints = "Keep Points";
+constexpr const char* KeepOut = "Keep Out";
+
+void requireFinite(const std::string& name, const std::array<double, 3>& place)
+{
+  if (!std::all_of(place.begin(), place.end(), [](double x) { return std::isfinite(x); }))
+  {
+    throw Error(Fault::BadCoordinate, name + " is not a valid point: give three finite numbers.");
+  }
+}
+
+bool isBeyond(const std::array<double, 3>& place, const Lattice& lattice, const Meshlines& planes)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto position = [&](Level level) {
+      return lattice.position(static_cast<int>(axis), level);
+    };
+    if (place[axis] < position(planes[axis].front()) ||
+      place[axis] >= position(planes[axis].back()))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 void requireWithin(const std::string& name, const std::array<double, 3>& place,
@@ -25,10 +52,6 @@ void requireWithin(const std::string& name, const std::array<double, 3>& place,
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    if (!std::isfinite(place[axis]))
-    {
-      throw Error(Fault::BadCoordinate, name + " is not a valid point: give three finite numbers.");
-    }
     const double low = lattice.position(static_cast<int>(axis), planes[axis].front());
     const double high = lattice.position(static_cast<int>(axis), planes[axis].back());
     if (place[axis] < low || place[axis] >= high)
@@ -38,6 +61,16 @@ void requireWithin(const std::string& name, const std::array<double, 3>& place,
           " along " + "xyz"[axis] + ": move it into the space to be meshed.");
     }
   }
+}
+
+Point pointAt(const std::array<double, 3>& place, const Lattice& lattice)
+{
+  Point at;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    at[axis] = lattice.vertex(static_cast<int>(axis), place[axis]) - 1;
+  }
+  return at;
 }
 
 // Around the point, and whether the surface comes next to it.
@@ -59,8 +92,8 @@ void look(const Surface& surface, KeepPoint& point)
       });
     if (clip(corners, low, high).size > 0)
     {
-      throw Error(Fault::BadParameter,
-        point.name + " lies on the surface: move it into the space to be meshed.");
+      throw Error(
+        Fault::BadParameter, point.name + " lies on the surface: move it away from there.");
     }
   }
 }
@@ -75,8 +108,27 @@ std::vector<KeepPoint> onLattice(
   points.reserve(places.size());
   for (const std::array<double, 3>& place : places)
   {
-    KeepPoint point{ at[points.size()], {}, nameOf(points.size(), place) };
+    KeepPoint point{ at[points.size()], {}, nameOf(KeepPoints, points.size(), place), place };
     look(surface, point);
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+std::vector<KeepPoint> keepOutOnLattice(
+  const std::vector<std::array<double, 3>>& places, const Surface& surface, const Meshlines& planes)
+{
+  std::vector<KeepPoint> points;
+  for (const std::array<double, 3>& place : places)
+  {
+    KeepPoint point{ {}, {}, nameOf(KeepOut, points.size(), place), place };
+    requireFinite(point.name, place);
+    point.isBeyond = isBeyond(place, surface.lattice, planes);
+    if (!point.isBeyond)
+    {
+      point.at = pointAt(place, surface.lattice);
+      look(surface, point);
+    }
     points.push_back(std::move(point));
   }
   return points;
@@ -89,14 +141,10 @@ std::vector<Point> placesOnLattice(
   points.reserve(places.size());
   for (const std::array<double, 3>& place : places)
   {
-    requireWithin(nameOf(points.size(), place), place, lattice, planes);
-    Point at;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const auto a = static_cast<std::size_t>(axis);
-      at[a] = lattice.vertex(axis, place[a]) - 1;
-    }
-    points.push_back(at);
+    const std::string name = nameOf(KeepPoints, points.size(), place);
+    requireFinite(name, place);
+    requireWithin(name, place, lattice, planes);
+    points.push_back(pointAt(place, lattice));
   }
   return points;
 }

@@ -321,7 +321,7 @@ std::unique_ptr<Assembly> cutCellsOf(
   Boxes boxes = decomposition->boxes(decomposition->allLayers(), execution);
   Patches patches = makePatches(prepared, *decomposition, boxes, options, execution);
   return cutCells(std::move(boxes), std::move(patches), options, execution,
-    { prepared.keepPoints, prepared.isEnclosed });
+    { prepared.keepPoints, prepared.keepOut, &prepared.surface, prepared.isEnclosed });
 }
 
 Meshed meshPrepared(const PreparedSurface& prepared, const TestOptions& options)
