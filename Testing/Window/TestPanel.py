@@ -79,9 +79,9 @@ with Screen() as screen:
     screen.play(script(open_file(SURFACE), apply(), meshing_menu("CartesianMesher"),
         check(f"{PROPERTIES}/BoundaryArray/ComboBox", "currentText", "Automatic"),
         check(f"{PROPERTIES}/ExpectedBoxes", "toolTip", tip(told)),
-        check(f"{PROPERTIES}/KeepPoints", "visible", "false"), check(f"{PROPERTIES}/FirstLayerThickness", "visible", "false"),
+        check(f"{PROPERTIES}/KeepPoints", "visible", "false"), check(f"{PROPERTIES}/KeepOut", "visible", "false"), check(f"{PROPERTIES}/FirstLayerThickness", "visible", "false"),
         macro("note"), number("CellSize", 2), macro("note"), layers(3), macro("note"), choose("Domain", "Outside"), macro("note"),
-        check(f"{PROPERTIES}/KeepPoints", "visible", "true"), check(f"{PROPERTIES}/FirstLayerThickness", "visible", "true"),
+        check(f"{PROPERTIES}/KeepPoints", "visible", "true"), check(f"{PROPERTIES}/KeepOut", "visible", "true"), check(f"{PROPERTIES}/FirstLayerThickness", "visible", "true"),
         choose("Domain", "Inside"), layers(0), number("CellSize", 0), macro("note"),
         apply(), macro("note"), macro("save"), number("CellSize", 2), macro("note"), apply(), macro("note"),
         macro("row"), apply(), macro("shapes")))

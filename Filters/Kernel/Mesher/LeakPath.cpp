@@ -2,8 +2,8 @@
 #include "Mesher/LeakPath.h"
 
 #include "Lattice/NearestPlace.h"
+#include "Mesher/PointGrid.h"
 #include "Repair/TriangleTree.h"
-#include "Surface/LineCrossings.h"
 
 #include <algorithm>
 #include <limits>
@@ -96,191 +96,6 @@ LeakSearch around(const Vector& place, double reach, const LeakSearch& all)
   return part;
 }
 
-// Points on even levels, where no surface is.
-class PointGrid
-{
-public:
-  using Index = std::array<std::size_t, 3>;
-
-  PointGrid(const LeakSearch& search, double spacing)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const double extent = double(search.high[axis]) - search.low[axis];
-      const double intervals = std::max(2.0, std::ceil(extent / spacing));
-      for (double i = 0; i <= intervals; ++i)
-      {
-        lines_[axis].push_back(oddLevel(search.low[axis] + i * extent / intervals) - 1);
-      }
-    }
-    isBlocked_.resize(size());
-  }
-
-  std::size_t size() const { return lines_[0].size() * lines_[1].size() * lines_[2].size(); }
-
-  void block(const Surface& walls)
-  {
-    for (std::size_t t = 0; t < walls.triangles.size(); ++t)
-    {
-      for (const RowAxes& axes : RowsAlong)
-      {
-        block(walls.corners(t), axes);
-      }
-    }
-  }
-
-  std::size_t pointAt(const Index& i) const
-  {
-    return i[0] + lines_[0].size() * (i[1] + lines_[1].size() * i[2]);
-  }
-
-  Index indexOf(std::size_t point) const
-  {
-    const std::size_t row = point / lines_[0].size();
-    return { point % lines_[0].size(), row % lines_[1].size(), row / lines_[1].size() };
-  }
-
-  Vector placeOf(std::size_t point) const
-  {
-    const Index i = indexOf(point);
-    return { double(lines_[0][i[0]]), double(lines_[1][i[1]]), double(lines_[2][i[2]]) };
-  }
-
-  bool isAtEnd(std::size_t point) const
-  {
-    const Index i = indexOf(point);
-    bool is = false;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      is = is || i[axis] == 0 || i[axis] + 1 == lines_[axis].size();
-    }
-    return is;
-  }
-
-  // Whether the line to the next point up an axis is free.
-  bool isFree(std::size_t point, std::size_t axis) const
-  {
-    return (isBlocked_[point] >> axis & 1) == 0;
-  }
-
-  // The corners of the cell that holds a place, or is nearest to it.
-  std::array<std::size_t, 8> pointsAround(const Vector& place) const
-  {
-    Index i;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const auto& lines = lines_[axis];
-      const auto above = std::upper_bound(lines.begin() + 1, lines.end() - 1, place[axis],
-        [](double at, Level line) { return at < line; });
-      i[axis] = static_cast<std::size_t>(above - lines.begin()) - 1;
-    }
-    std::array<std::size_t, 8> points;
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      points[corner] =
-        pointAt({ i[0] + (corner & 1), i[1] + (corner >> 1 & 1), i[2] + (corner >> 2) });
-    }
-    return points;
-  }
-
-  // Calls visit(point) for neighbours along axes and across that can be reached.
-  template <class Visitor>
-  void forEachNeighbour(std::size_t point, Visitor&& visit) const
-  {
-    const Index i = indexOf(point);
-    for (int n = 0; n < 27; ++n)
-    {
-      const Step step{ n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1 };
-      std::array<std::size_t, 3> way;
-      bool isThere = n != 13;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        isThere = isThere && !(step[axis] < 0 && i[axis] == 0) &&
-          !(step[axis] > 0 && i[axis] + 1 == lines_[axis].size());
-      }
-      if (isThere && findWay(i, step, 0, way))
-      {
-        visit(way[length(step) - 1]);
-      }
-    }
-  }
-
-  // The points on the way to a neighbour, and that.
-  std::vector<std::size_t> wayTo(std::size_t from, std::size_t to) const
-  {
-    const Index i = indexOf(from);
-    const Index j = indexOf(to);
-    Step step;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      step[axis] = static_cast<int>(j[axis]) - static_cast<int>(i[axis]);
-    }
-    std::array<std::size_t, 3> way;
-    findWay(i, step, 0, way);
-    return { way.begin(), way.begin() + static_cast<std::ptrdiff_t>(length(step)) };
-  }
-
-private:
-  void block(const Corners& triangle, const RowAxes& axes)
-  {
-    const auto along = static_cast<std::size_t>(axes.along);
-    const auto& lines = lines_[along];
-    forEachLineCrossing(triangle, axes, lines_[static_cast<std::size_t>(axes.middle)],
-      lines_[static_cast<std::size_t>(axes.outer)],
-      [&](std::size_t middle, std::size_t outer, const Point& p, bool) {
-        const auto above = std::lower_bound(lines.begin(), lines.end(), p[along]);
-        if (above == lines.begin() || above == lines.end())
-        {
-          return;
-        }
-        Index i{};
-        i[along] = static_cast<std::size_t>(above - lines.begin()) - 1;
-        i[static_cast<std::size_t>(axes.middle)] = middle;
-        i[static_cast<std::size_t>(axes.outer)] = outer;
-        isBlocked_[pointAt(i)] |= static_cast<std::uint8_t>(1U << along);
-      });
-  }
-
-  using Step = std::array<int, 3>;
-
-  static std::size_t length(const Step& step)
-  {
-    return static_cast<std::size_t>(3 - std::count(step.begin(), step.end(), 0));
-  }
-
-  // Along the axes of a step, one after the other, in any order. `size`: of the way so far.
-  bool findWay(
-    const Index& i, const Step& step, std::size_t size, std::array<std::size_t, 3>& way) const
-  {
-    bool isDone = true;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      if (step[axis] == 0)
-      {
-        continue;
-      }
-      isDone = false;
-      Index next = i;
-      next[axis] = step[axis] > 0 ? i[axis] + 1 : i[axis] - 1;
-      if (!isFree(pointAt(step[axis] > 0 ? i : next), axis))
-      {
-        continue;
-      }
-      Step rest = step;
-      rest[axis] = 0;
-      way[size] = pointAt(next);
-      if (findWay(next, rest, size + 1, way))
-      {
-        return true;
-      }
-    }
-    return isDone;
-  }
-
-  Meshlines lines_;
-  std::vector<std::uint8_t> isBlocked_; // of each point: the lines up the axes, as bits
-};
-
 // Dijkstra's algorithm on the grid; of equally long ways the one by points with lower numbers.
 class LeakFinder
 {
@@ -306,7 +121,8 @@ public:
     const std::array<std::size_t, 8> ends = grid_.pointsAround(to_);
     while (!queue_.empty())
     {
-      const auto [length, point] = queue_.top();
+      const float length = queue_.top().first;
+      const std::size_t point = queue_.top().second;
       queue_.pop();
       if (length > length_[point])
       {
@@ -494,7 +310,8 @@ void searchAround(double reach, double pointsAcross, const LeakSearch& all, cons
 {
   const Vector from = course.places[course.freest(narrowest, reach, false)];
   const Vector to = course.places[course.freest(narrowest, reach, true)];
-  PointGrid grid(around(course.places[narrowest], reach, all), 2 * reach / pointsAcross);
+  const LeakSearch part = around(course.places[narrowest], reach, all);
+  PointGrid grid(part.low, part.high, 2 * reach / pointsAcross);
   grid.block(surface);
   const std::vector<Vector> points = LeakFinder(grid, walls, from, to, 100 * reach).run();
   if (points.empty())
@@ -611,7 +428,8 @@ std::string describe(const LeakSearch& search, const LeakPath& path)
     const LeakGap& gap = path.gaps[i];
     const double unit = gap.width / 1000;
     Vector at = middleOf(gap);
-    std::transform(at.begin(), at.end(), at.begin(), [&](double x) { return std::round(x / unit) * unit; });
+    std::transform(
+      at.begin(), at.end(), at.begin(), [&](double x) { return std::round(x / unit) * unit; });
     text += (i == 0 ? "" : ", ") + number(gap.width) + " wide at (" + number(at[0]) + ", " +
       number(at[1]) + ", " + number(at[2]) + ")";
   }
@@ -655,7 +473,7 @@ LeakPath findLeak(const Surface& walls, const LeakSearch& search, Execution& exe
   for (const double most : Searches)
   {
     spacing = std::max(spacing, search.spacingOf(most));
-    PointGrid grid(search, spacing);
+    PointGrid grid(search.low, search.high, spacing);
     grid.block(walls);
     path.points = LeakFinder(grid, wallSearch, from, to, WallWeight * across).run();
     if (!path.points.empty())

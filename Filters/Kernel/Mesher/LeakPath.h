@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The way through which a point to keep out is reached, and the gaps that it passes.
 //
-// Method: the shortest way (Dijkstra's algorithm) on a grid of points whose lines the surface blocks where it crosses them, as
-// exactly as it winds around points (Surface/LineCrossings.h). Lengths count more next to walls, so that the way runs through
-// the middle of gaps; its distances from the walls are small in these: a gap is where one is a minimum, less than two
-// thirds of what is before and behind. Around each a finer search, in which walls alone count, finds its middle.
+// Method: the shortest way (Dijkstra's algorithm) on a grid of points whose lines the surface blocks (PointGrid.h). Lengths
+// count more next to walls, so that the way runs through the middle of gaps; its distances from the walls are small in
+// these: a gap is where one is a minimum, less than two thirds of what is before and behind. Around each a finer search,
+// in which walls alone count, finds its middle.
 // Limits: of several gaps side by side one is found, the shortest or a wider one nearby. The grid has as many points as
 // Searches says: a narrower gap than these find has no way, only the message.
 #pragma once
@@ -32,8 +32,7 @@ struct LeakSearch
 {
   Point low; // where to search
   Point high;
-  double spacing =
-    0; // of points, levels, if there may be so many; it becomes less where no way is found
+  double spacing = 0; // of points, levels, if there may be so many; less where no way is found
   const KeepPoint* from = nullptr; // none: the ends of what is searched
   const KeepPoint* to = nullptr;
 

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesher/PointGrid.h"
+
+#include "Surface/LineCrossings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cartesian
+{
+
+PointGrid::PointGrid(const Point& low, const Point& high, double spacing)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double extent = double(high[axis]) - low[axis];
+    const double intervals = std::max(2.0, std::ceil(extent / spacing));
+    for (double i = 0; i <= intervals; ++i)
+    {
+      lines_[axis].push_back(oddLevel(low[axis] + i * extent / intervals) - 1);
+    }
+  }
+  isBlocked_.resize(size());
+}
+
+void PointGrid::block(const Surface& walls)
+{
+  for (std::size_t t = 0; t < walls.triangles.size(); ++t)
+  {
+    for (const RowAxes& axes : RowsAlong)
+    {
+      block(walls.corners(t), axes);
+    }
+  }
+}
+
+std::array<std::size_t, 8> PointGrid::pointsAround(const Vector& place) const
+{
+  Index i;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto& lines = lines_[axis];
+    const auto above = std::upper_bound(lines.begin() + 1, lines.end() - 1, place[axis],
+      [](double at, Level line) { return at < line; });
+    i[axis] = static_cast<std::size_t>(above - lines.begin()) - 1;
+  }
+  std::array<std::size_t, 8> points;
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    points[corner] =
+      pointAt({ i[0] + (corner & 1), i[1] + (corner >> 1 & 1), i[2] + (corner >> 2) });
+  }
+  return points;
+}
+
+std::vector<std::size_t> PointGrid::wayTo(std::size_t from, std::size_t to) const
+{
+  const Index i = indexOf(from);
+  const Index j = indexOf(to);
+  Step step;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    step[axis] = static_cast<int>(j[axis]) - static_cast<int>(i[axis]);
+  }
+  std::array<std::size_t, 3> way;
+  findWay(i, step, 0, way);
+  return { way.begin(), way.begin() + static_cast<std::ptrdiff_t>(length(step)) };
+}
+
+void PointGrid::block(const Corners& triangle, const RowAxes& axes)
+{
+  const auto along = static_cast<std::size_t>(axes.along);
+  const auto& lines = lines_[along];
+  forEachLineCrossing(triangle, axes, lines_[static_cast<std::size_t>(axes.middle)],
+    lines_[static_cast<std::size_t>(axes.outer)],
+    [&](std::size_t middle, std::size_t outer, const Point& p, bool) {
+      const auto above = std::lower_bound(lines.begin(), lines.end(), p[along]);
+      if (above == lines.begin() || above == lines.end())
+      {
+        return;
+      }
+      Index i{};
+      i[along] = static_cast<std::size_t>(above - lines.begin()) - 1;
+      i[static_cast<std::size_t>(axes.middle)] = middle;
+      i[static_cast<std::size_t>(axes.outer)] = outer;
+      isBlocked_[pointAt(i)] |= static_cast<std::uint8_t>(1U << along);
+    });
+}
+
+bool PointGrid::findWay(
+  const Index& i, const Step& step, std::size_t size, std::array<std::size_t, 3>& way) const
+{
+  bool isDone = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (step[axis] == 0)
+    {
+      continue;
+    }
+    isDone = false;
+    Index next = i;
+    next[axis] = step[axis] > 0 ? i[axis] + 1 : i[axis] - 1;
+    if (!isFree(pointAt(step[axis] > 0 ? i : next), axis))
+    {
+      continue;
+    }
+    Step rest = step;
+    rest[axis] = 0;
+    way[size] = pointAt(next);
+    if (findWay(next, rest, size + 1, way))
+    {
+      return true;
+    }
+  }
+  return isDone;
+}
+
+}
