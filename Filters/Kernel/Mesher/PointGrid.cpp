@@ -62,9 +62,9 @@ std::vector<std::size_t> PointGrid::wayTo(std::size_t from, std::size_t to) cons
   {
     step[axis] = static_cast<int>(j[axis]) - static_cast<int>(i[axis]);
   }
-  std::array<std::size_t, 3> way;
-  findWay(i, step, 0, way);
-  return { way.begin(), way.begin() + static_cast<std::ptrdiff_t>(length(step)) };
+  std::array<std::size_t, 3> way{};
+  const std::size_t size = findWay(i, step, way);
+  return { way.begin(), way.begin() + static_cast<std::ptrdiff_t>(size) };
 }
 
 void PointGrid::block(const Corners& triangle, const RowAxes& axes)
@@ -87,32 +87,33 @@ void PointGrid::block(const Corners& triangle, const RowAxes& axes)
     });
 }
 
-bool PointGrid::findWay(
-  const Index& i, const Step& step, std::size_t size, std::array<std::size_t, 3>& way) const
+std::size_t PointGrid::findWay(
+  const Index& i, const Step& step, std::array<std::size_t, 3>& way) const
 {
-  bool isDone = true;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  constexpr std::array<std::array<std::size_t, 3>, 6> Orders{ { { 0, 1, 2 }, { 0, 2, 1 },
+    { 1, 0, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 2, 1, 0 } } };
+  for (const std::array<std::size_t, 3>& order : Orders)
   {
-    if (step[axis] == 0)
+    Index at = i;
+    std::size_t size = 0;
+    bool isWay = true;
+    for (const std::size_t axis : order)
     {
-      continue;
+      if (step[axis] != 0)
+      {
+        const std::size_t before = pointAt(at);
+        at[axis] += static_cast<std::size_t>(step[axis]);
+        const std::size_t next = pointAt(at);
+        isWay = isWay && isFree(step[axis] > 0 ? before : next, axis);
+        way[size++] = next;
+      }
     }
-    isDone = false;
-    Index next = i;
-    next[axis] = step[axis] > 0 ? i[axis] + 1 : i[axis] - 1;
-    if (!isFree(pointAt(step[axis] > 0 ? i : next), axis))
+    if (isWay)
     {
-      continue;
-    }
-    Step rest = step;
-    rest[axis] = 0;
-    way[size] = pointAt(next);
-    if (findWay(next, rest, size + 1, way))
-    {
-      return true;
+      return size;
     }
   }
-  return isDone;
+  return 0;
 }
 
 }

@@ -69,16 +69,17 @@ public:
     for (int n = 0; n < 27; ++n)
     {
       const Step step{ n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1 };
-      std::array<std::size_t, 3> way;
+      std::array<std::size_t, 3> way{};
       bool isThere = n != 13;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         isThere = isThere && !(step[axis] < 0 && i[axis] == 0) &&
           !(step[axis] > 0 && i[axis] + 1 == lines_[axis].size());
       }
-      if (isThere && findWay(i, step, 0, way))
+      const std::size_t size = isThere ? findWay(i, step, way) : 0;
+      if (size > 0)
       {
-        visit(way[length(step) - 1]);
+        visit(way[size - 1]);
       }
     }
   }
@@ -91,14 +92,8 @@ private:
 
   using Step = std::array<int, 3>;
 
-  static std::size_t length(const Step& step)
-  {
-    return static_cast<std::size_t>(3 - std::count(step.begin(), step.end(), 0));
-  }
-
-  // Along the axes of a step, one after the other, in any order. `size`: of the way so far.
-  bool findWay(
-    const Index& i, const Step& step, std::size_t size, std::array<std::size_t, 3>& way) const;
+  // Along the axes of a step, one after the other, in any order; how many points it has. 0: all ways are blocked.
+  std::size_t findWay(const Index& i, const Step& step, std::array<std::size_t, 3>& way) const;
 
   std::array<std::vector<Level>, 3> lines_;
   std::vector<std::uint8_t> isBlocked_; // of each point: the lines up the axes, as bits
