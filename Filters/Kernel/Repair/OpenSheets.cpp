@@ -31,12 +31,6 @@ constexpr double LargestSagitta = 0.25;
 
 constexpr std::uint32_t None = ~0u;
 
-double areaOf(const Surface& surface, std::size_t triangle)
-{
-  const Corners c = surface.corners(triangle);
-  return norm(cross(minus(c[1], c[0]), minus(c[2], c[0]))) / 2;
-}
-
 // A piece with an edge that nothing else uses.
 struct Piece
 {

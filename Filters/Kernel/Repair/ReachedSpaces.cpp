@@ -266,9 +266,8 @@ private:
     {
       for (const std::uint32_t t : pieces[p].triangles)
       {
-        const Corners c = arranged_.corners(t);
-        const double area = norm(cross(minus(c[1], c[0]), minus(c[2], c[0])));
-        if (isOfBox(t) && isOnSeenSide(c) && area > most)
+        const double area = areaOf(arranged_, t);
+        if (isOfBox(t) && isOnSeenSide(arranged_.corners(t)) && area > most)
         {
           best = p;
           most = area;
