@@ -5,7 +5,6 @@
 #include "Lattice/Vector.h"
 #include "Repair/Holes.h"
 #include "Repair/NearbyTriangles.h"
-#include "Repair/TriangleTree.h"
 #include "Surface/Places.h"
 #include "Surface/SurfaceEdges.h"
 
@@ -194,7 +193,7 @@ public:
     Execution& execution)
     : surface_(surface)
     , planes_(planes)
-    , tree_(surface, execution)
+    , nearby_(surface, execution)
     , pieceOf_(surface.triangles.size(), None)
   {
     for (std::uint32_t p = 0; p < pieces.size(); ++p)
@@ -209,18 +208,8 @@ public:
   // Whether any but this piece's own are at most this far from a place, in levels.
   bool areNear(const Vector& place, double distance, std::uint32_t piece) const
   {
-    if (isNearSide(place, distance))
-    {
-      return true;
-    }
-    const Vector aside{ distance, distance, distance };
-    bool found = false;
-    tree_.forEachWithin(minus(place, aside), plus(place, aside), [&](std::uint32_t t) {
-      found = found ||
-        (pieceOf_[t] != piece &&
-          norm(minus(nearestPlace(surface_.corners(t), place), place)) <= distance);
-    });
-    return found;
+    return isNearSide(place, distance) ||
+      nearby_.isAnyNear(place, distance, [&](std::uint32_t t) { return pieceOf_[t] != piece; });
   }
 
 private:
@@ -240,7 +229,7 @@ private:
 
   const Surface& surface_;
   const Meshlines& planes_;
-  TriangleTree tree_;
+  NearbyTriangles nearby_;
   std::vector<std::uint32_t> pieceOf_; // by triangle; None: of no open piece
 };
 
@@ -299,7 +288,6 @@ void dropPatches(const Surface& surface, std::vector<Piece>& pieces)
   Surface rims; // triangles without area
   rims.vertices = surface.vertices;
   std::vector<std::uint32_t> all;
-  double reach = 0; // levels
   for (std::uint32_t p = 0; p < pieces.size(); ++p)
   {
     for (const auto& [from, to] : pieces[p].rim)
@@ -308,16 +296,14 @@ void dropPatches(const Surface& surface, std::vector<Piece>& pieces)
       rims.triangles.push_back({ from, to, to });
       rims.boundary.push_back(static_cast<std::int32_t>(p));
     }
-    reach = std::max(reach, pieces[p].isSheet ? pieces[p].crack() : 0);
   }
-  const NearbyTriangles nearby(rims, all, reach);
+  const NearbyTriangles nearby(rims, all, 0);
   for (std::uint32_t p = 0; p < pieces.size(); ++p)
   {
     Piece& piece = pieces[p];
     const auto isAlong = [&](std::uint32_t v) {
-      const auto nearest = nearby.find(toVector(surface.vertices[v]),
+      return nearby.isAnyNear(toVector(surface.vertices[v]), piece.crack(),
         [&](std::uint32_t t) { return rims.boundary[t] != static_cast<std::int32_t>(p); });
-      return nearest.triangle != NearbyTriangles::None && nearest.distance <= piece.crack();
     };
     piece.isSheet = piece.isSheet &&
       !std::all_of(piece.rim.begin(), piece.rim.end(),

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/RimsOnWalls.h"
 
-#include "Lattice/NearestPlace.h"
 #include "Repair/BaffleRims.h"
 #include "Repair/ManifoldComponents.h"
+#include "Repair/NearbyTriangles.h"
 #include "Repair/OpenRims.h"
-#include "Repair/TriangleTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,31 +81,20 @@ private:
   // With a corner of a rim near another part.
   std::vector<std::uint32_t> partsOnWalls() const
   {
-    const TriangleTree tree(surface_, execution_);
+    const NearbyTriangles nearby(surface_, execution_);
     std::vector<std::uint32_t> found;
     for (const auto& [part, rim] : rims_)
     {
-      const bool is = std::any_of(rim.begin(), rim.end(),
-        [&, own = part](const auto& edge) { return isNearOther(tree, own, edge[0]); });
+      const bool is = std::any_of(rim.begin(), rim.end(), [&, own = part](const auto& edge) {
+        return nearby.isAnyNear(toVector(surface_.vertices[edge[0]]), tolerance_,
+          [&](std::uint32_t t) { return partOf_.at(surface_.given[t]) != own; });
+      });
       if (is)
       {
         found.push_back(part);
       }
     }
     return found;
-  }
-
-  bool isNearOther(const TriangleTree& tree, std::uint32_t part, std::uint32_t vertex) const
-  {
-    const Vector place = toVector(surface_.vertices[vertex]);
-    const Vector aside{ tolerance_, tolerance_, tolerance_ };
-    bool is = false;
-    tree.forEachWithin(minus(place, aside), plus(place, aside), [&](std::uint32_t t) {
-      is = is ||
-        (partOf_.at(surface_.given[t]) != part &&
-          norm(minus(nearestPlace(surface_.corners(t), place), place)) <= tolerance_);
-    });
-    return is;
   }
 
   // Divides the walls near the rims of a part, and the part.
