@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/OpenSheets.h"
 
-#include "Base/DisjointSets.h"
 #include "Lattice/Vector.h"
 #include "Repair/Holes.h"
 #include "Repair/NearbyTriangles.h"
+#include "Repair/OpenPieces.h"
 #include "Surface/Places.h"
 #include "Surface/SurfaceEdges.h"
 
@@ -30,109 +30,35 @@ constexpr double LargestSagitta = 0.25;
 
 constexpr std::uint32_t None = ~0u;
 
-// A piece with an edge that nothing else uses.
-struct Piece
+struct Piece : OpenPiece
 {
-  std::vector<std::uint32_t> triangles;
-  std::vector<std::array<std::uint32_t, 2>> rim; // such edges
-  double area = 0;                               // levels squared
+  double area = 0; // levels squared
   bool isSheet = false;
 
   double crack() const { return Crack * std::sqrt(area); }
 };
 
-class OpenPieces
+// Without baffles.
+std::vector<Piece> piecesOf(
+  const Surface& surface, const std::vector<Baffle>& baffles, Execution& execution)
 {
-public:
-  OpenPieces(const Surface& surface, const std::vector<Baffle>& baffles)
-    : surface_(surface)
-    , isTaken_(surface.triangles.size())
-    , connected_(surface.triangles.size())
+  std::vector<std::uint8_t> isOfBaffle(surface.triangles.size());
+  for (std::size_t t = 0; t < isOfBaffle.size() && !baffles.empty(); ++t)
   {
-    for (std::size_t t = 0; t < isTaken_.size() && !baffles.empty(); ++t)
+    isOfBaffle[t] = std::any_of(baffles.begin(), baffles.end(),
+      [&](const Baffle& b) { return b.boundary == surface.boundary[t]; });
+  }
+  std::vector<Piece> pieces;
+  for (OpenPiece& open : openPiecesOf(surface, isOfBaffle, execution))
+  {
+    pieces.push_back({ std::move(open) });
+    for (const std::uint32_t t : pieces.back().triangles)
     {
-      isTaken_[t] = std::any_of(baffles.begin(), baffles.end(),
-        [&](const Baffle& b) { return b.boundary == surface.boundary[t]; });
+      pieces.back().area += areaOf(surface, t);
     }
   }
-
-  // In order of their first triangles.
-  std::vector<Piece> find(Execution& execution)
-  {
-    SurfaceEdges(surface_, execution)
-      .forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-        connect(lower, begin, end);
-      });
-    std::map<std::uint32_t, std::uint32_t> numberOf; // by the root of an open piece
-    for (const Free& free : free_)
-    {
-      numberOf[connected_.find(free.triangle)] = None;
-    }
-    std::vector<Piece> pieces;
-    for (std::uint32_t t = 0; t < surface_.triangles.size() && !numberOf.empty(); ++t)
-    {
-      const auto number = numberOf.find(connected_.find(t));
-      if (number == numberOf.end() || namesAVertexTwice(surface_.triangles[t]))
-      {
-        continue;
-      }
-      if (number->second == None)
-      {
-        number->second = static_cast<std::uint32_t>(pieces.size());
-        pieces.emplace_back();
-      }
-      Piece& piece = pieces[number->second];
-      piece.triangles.push_back(t);
-      piece.area += areaOf(surface_, t);
-    }
-    for (const Free& free : free_)
-    {
-      pieces[numberOf[connected_.find(free.triangle)]].rim.push_back(free.edge);
-    }
-    return pieces;
-  }
-
-private:
-  struct Free
-  {
-    std::uint32_t triangle;
-    std::array<std::uint32_t, 2> edge;
-  };
-
-  std::int32_t regionOf(std::uint32_t t) const
-  {
-    return surface_.region.empty() ? 0 : surface_.region[t];
-  }
-
-  void connect(std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end)
-  {
-    const auto isOf = [&](const EdgeUse& use, std::int32_t region) {
-      return isTaken_[use.triangle()] == 0 && regionOf(use.triangle()) == region;
-    };
-    for (const EdgeUse* use = begin; use != end; ++use)
-    {
-      const std::uint32_t t = use->triangle();
-      const std::int32_t region = regionOf(t);
-      const auto uses =
-        std::count_if(begin, end, [&](const EdgeUse& other) { return isOf(other, region); });
-      if (isTaken_[t] == 0 && uses == 1)
-      {
-        free_.push_back({ t, { lower, begin->upper } });
-      }
-      if (isTaken_[t] == 0 && uses == 2)
-      {
-        const EdgeUse* const other =
-          std::find_if(begin, end, [&](const EdgeUse& o) { return isOf(o, region); });
-        connected_.unite(t, other->triangle());
-      }
-    }
-  }
-
-  const Surface& surface_;
-  std::vector<std::uint8_t> isTaken_; // by a baffle
-  DisjointSets connected_;
-  std::vector<Free> free_;
-};
+  return pieces;
+}
 
 // A piece by itself, with its vertices in order.
 Surface surfaceOf(const Surface& all, const Piece& piece)
@@ -334,7 +260,7 @@ OpenSheets findOpenSheets(const Surface& surface, const OpenSheetSpec& spec,
   {
     return found;
   }
-  std::vector<Piece> pieces = OpenPieces(surface, baffles).find(execution);
+  std::vector<Piece> pieces = piecesOf(surface, baffles, execution);
   for (Piece& piece : pieces)
   {
     piece.isSheet = looksLikeASheet(surface, piece, spec.handling, planes, execution);
