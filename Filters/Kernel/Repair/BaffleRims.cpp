@@ -391,10 +391,7 @@ private:
       divided.given.resize(count, surface.given[t]);
       divided.region.resize(count, surface.region[t]);
     }
-    surface.triangles.swap(divided.triangles);
-    surface.boundary.swap(divided.boundary);
-    surface.given.swap(divided.given);
-    surface.region.swap(divided.region);
+    surface.takeTriangles(divided);
   }
 
   // Of all regions: those that have the same triangles keep the same.

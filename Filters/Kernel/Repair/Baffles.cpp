@@ -186,7 +186,7 @@ template <class IsTaken>
 Surface take(Surface& surface, IsTaken&& isTaken)
 {
   Surface left;
-  Surface taken;
+  Surface taken = surface.withoutTriangles();
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
     if (isTaken(t))
@@ -199,12 +199,7 @@ Surface take(Surface& surface, IsTaken&& isTaken)
       left.ofSheet.push_back(surface.isOfSheet(t) ? 1 : 0);
     }
   }
-  taken.lattice = surface.lattice;
-  taken.vertices = surface.vertices;
-  surface.triangles.swap(left.triangles);
-  surface.boundary.swap(left.boundary);
-  surface.given.swap(left.given);
-  surface.region.swap(left.region);
+  surface.takeTriangles(left);
   if (!surface.ofSheet.empty())
   {
     surface.ofSheet.swap(left.ofSheet);
@@ -238,9 +233,7 @@ std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
   RegionParts parts;
   for (std::int32_t region = FirstRegion; region < FirstRegion + regions; ++region)
   {
-    Surface both;
-    both.lattice = surface.lattice;
-    both.vertices = surface.vertices;
+    Surface both = surface.withoutTriangles();
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     {
       if (surface.region[t] == region)

@@ -60,36 +60,6 @@ std::vector<Piece> piecesOf(
   return pieces;
 }
 
-// A piece by itself, with its vertices in order.
-Surface surfaceOf(const Surface& all, const Piece& piece)
-{
-  Surface own;
-  own.lattice = all.lattice;
-  std::vector<std::uint32_t> vertices;
-  for (const std::uint32_t t : piece.triangles)
-  {
-    vertices.insert(vertices.end(), all.triangles[t].begin(), all.triangles[t].end());
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  for (const std::uint32_t v : vertices)
-  {
-    own.vertices.push_back(all.vertices[v]);
-  }
-  for (const std::uint32_t t : piece.triangles)
-  {
-    std::array<std::uint32_t, 3> triangle = all.triangles[t];
-    for (std::uint32_t& v : triangle)
-    {
-      v = static_cast<std::uint32_t>(
-        std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
-    }
-    own.triangles.push_back(triangle);
-    own.boundary.push_back(all.boundary[t]);
-  }
-  return own;
-}
-
 bool looksLikeASheet(const Surface& surface, const Piece& piece, SheetHandling handling,
   const Meshlines& planes, Execution& execution)
 {
@@ -97,7 +67,7 @@ bool looksLikeASheet(const Surface& surface, const Piece& piece, SheetHandling h
   {
     return false;
   }
-  Surface own = surfaceOf(surface, piece);
+  Surface own = partOf(surface, piece.triangles);
   const std::vector<Hole> holes = closeHoles(own, SurfaceEdges(own, execution), planes, execution);
   if (handling == SheetHandling::Keep)
   {
@@ -176,7 +146,7 @@ bool rimLiesOn(const Walls& walls, const Surface& surface, const Piece& piece, s
 bool lidsLieOn(const Walls& walls, const Surface& surface, const Piece& piece, std::uint32_t number,
   const Meshlines& planes, Execution& execution)
 {
-  Surface own = surfaceOf(surface, piece);
+  Surface own = partOf(surface, piece.triangles);
   closeHoles(own, SurfaceEdges(own, execution), planes, execution);
   double all = 0;
   double onWalls = 0;

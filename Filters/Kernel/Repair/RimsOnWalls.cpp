@@ -105,9 +105,9 @@ private:
       include(start, aside, bounds);
       include(end, aside, bounds);
     }
-    Surface walls = like(surface_);
-    Surface own = like(surface_);
-    Surface rest = like(surface_);
+    Surface walls = surface_.withoutTriangles();
+    Surface own = walls;
+    Surface rest = walls;
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
     {
       const bool isOwn = isOf(piece, surface_.given[t]);
@@ -119,7 +119,6 @@ private:
       return;
     }
     joinRims(walls, own, { tolerance_, LargestSagitta }, execution_);
-    rest.vertices = walls.vertices;
     for (const Surface* from : { &walls, &own })
     {
       for (std::size_t t = 0; t < from->triangles.size(); ++t)
@@ -127,19 +126,8 @@ private:
         rest.append(*from, t);
       }
     }
-    surface_.vertices.swap(rest.vertices);
-    surface_.triangles.swap(rest.triangles);
-    surface_.boundary.swap(rest.boundary);
-    surface_.given.swap(rest.given);
-    surface_.region.swap(rest.region);
-  }
-
-  static Surface like(const Surface& surface)
-  {
-    Surface empty;
-    empty.lattice = surface.lattice;
-    empty.vertices = surface.vertices;
-    return empty;
+    surface_.vertices.swap(walls.vertices);
+    surface_.takeTriangles(rest);
   }
 
   Surface& surface_;
