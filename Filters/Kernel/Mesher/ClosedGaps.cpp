@@ -3,6 +3,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Mesher/Mesher.h"
+#include "Surface/Places.h"
 #include "Surface/SurfaceEdges.h"
 
 #include <algorithm>
@@ -136,13 +137,12 @@ private:
 
   double areaOf(const std::vector<std::uint32_t>& triangles) const
   {
-    double twice = 0;
+    double area = 0;
     for (const std::uint32_t t : triangles)
     {
-      const Corners c = surface_.corners(t);
-      twice += norm(cross(minus(c[1], c[0]), minus(c[2], c[0])));
+      area += cartesian::areaOf(surface_, t);
     }
-    return twice / 2;
+    return area;
   }
 
   Surface surface_;

@@ -10,8 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <set>
 
 namespace cartesian
 {
@@ -62,7 +60,7 @@ public:
       return std::nullopt;
     }
     SurfaceRepair repair;
-    dropLoose(repair);
+    repair.loose = dropLoose(surface_, SurfaceEdges(surface_, execution_));
     const double tolerance =
       std::max(options_.contactTolerance / surface_.lattice.step(), CrackSpec::PartOfBox * side_);
     joinRimsToWalls(surface_, tolerance, execution_);
@@ -70,7 +68,7 @@ public:
     {
       continueRims(tolerance);
     }
-    closeNarrow(repair);
+    repair.holes = closeNarrowHoles(surface_, side_, isOfSheet_, prepared_.planes, execution_);
     repair.crossing = std::make_shared<const Surface>(surface_);
     if (options_.domain.isOutside())
     {
@@ -164,23 +162,6 @@ private:
       [&](const Baffle& baffle) { return baffle.boundary == boundary; });
   }
 
-  // They enclose nothing.
-  void dropLoose(SurfaceRepair& repair)
-  {
-    std::vector<std::uint8_t> openEdges(surface_.triangles.size());
-    for (const OpenEdge& edge : openEdgesOf(surface_, execution_))
-    {
-      if (++openEdges[edge.triangle] == 3)
-      {
-        repair.loose.push_back({ edge.triangle, surface_.triangles[edge.triangle] });
-      }
-    }
-    for (const DroppedTriangle& loose : repair.loose)
-    {
-      surface_.triangles[loose.triangle].fill(loose.vertices[0]);
-    }
-  }
-
   // Those of terrain around its axis.
   void continueRims(double tolerance)
   {
@@ -197,82 +178,12 @@ private:
     continueToSides(surface_, prepared_.planes, tolerance, triangles[NoAxis], NoAxis, execution_);
   }
 
-  // Closes holes that the smallest boxes there do not see, except the rims of sheets.
-  void closeNarrow(SurfaceRepair& repair)
-  {
-    const std::size_t before = surface_.triangles.size();
-    for (const OpenEdge& edge : openEdgesOf(surface_, execution_))
-    {
-      atRim_[{ edge.lower, edge.upper }] = edge.triangle;
-    }
-    std::vector<Hole> holes =
-      closeHoles(surface_, SurfaceEdges(surface_, execution_), prepared_.planes, execution_);
-    std::size_t kept = before;
-    for (Hole& hole : holes)
-    {
-      if (hole.width >= side_ || isRimOfSheet(hole))
-      {
-        continue;
-      }
-      for (std::size_t i = 0; i < hole.triangles; ++i)
-      {
-        surface_.triangles[kept + i] = surface_.triangles[hole.firstTriangle + i];
-        surface_.boundary[kept + i] = surface_.boundary[hole.firstTriangle + i];
-      }
-      hole.firstTriangle = kept;
-      kept += hole.triangles;
-      repair.holes.push_back(std::move(hole));
-    }
-    surface_.triangles.resize(kept);
-    surface_.boundary.resize(kept);
-  }
-
-  // Whether it is around a sheet, not in it: a lid would be about as large as what it is the rim of.
-  bool isRimOfSheet(const Hole& hole) const
-  {
-    constexpr double LeastLid = 0.7; // as a part of the triangles along the rim
-    const std::uint32_t first = hole.rim.front();
-    if (first >= isOfSheet_.size() || isOfSheet_[first] == 0)
-    {
-      return false;
-    }
-    double lid = 0;
-    for (std::size_t i = 0; i < hole.triangles; ++i)
-    {
-      lid += areaOf(hole.firstTriangle + i);
-    }
-    std::set<std::uint32_t> along;
-    for (std::size_t i = 0; i < hole.rim.size(); ++i)
-    {
-      const std::uint32_t next = hole.rim[(i + 1) % hole.rim.size()];
-      const auto found = atRim_.find({ std::min(hole.rim[i], next), std::max(hole.rim[i], next) });
-      if (found != atRim_.end())
-      {
-        along.insert(found->second);
-      }
-    }
-    double beside = 0;
-    for (const std::uint32_t t : along)
-    {
-      beside += areaOf(t);
-    }
-    return lid > LeastLid * beside;
-  }
-
-  double areaOf(std::size_t triangle) const
-  {
-    const Corners c = surface_.corners(triangle);
-    return norm(cross(minus(c[1], c[0]), minus(c[2], c[0]))) / 2;
-  }
-
   const PreparedSurface& prepared_;
   const Options& options_;
   Execution& execution_;
   Surface surface_;
-  double side_;                         // of the smallest box at the surface, levels
-  std::vector<std::uint8_t> isOfSheet_; // vertices of the surface given
-  std::map<std::array<std::uint32_t, 2>, std::uint32_t>
-    atRim_;                                 // the triangle at an open edge, before holes are closed
+  double side_;                             // of the smallest box at the surface, levels
+  std::vector<std::uint8_t> isOfSheet_;     // vertices of the surface given
   std::vector<std::uint8_t> axisOfTerrain_; // or NoAxis; by the triangle's number in the view
   std::vector<KeepPoint> keepOut_;
   ReachedFluid fluid_;

@@ -6,6 +6,7 @@
 #include "Repair/EdgePoints.h"
 #include "Repair/NearbyTriangles.h"
 #include "Repair/TriangleDivision.h"
+#include "Repair/TrianglePlane.h"
 #include "Surface/SurfaceEdges.h"
 
 #include <algorithm>
@@ -42,20 +43,6 @@ Triple sorted(Triple t)
 {
   std::sort(t.begin(), t.end());
   return t;
-}
-
-// Along which a triangle's projection is largest.
-int axisOf(const Corners& corners)
-{
-  const std::array<Wide, 3> normal = exactNormal(corners);
-  const auto size = [&](
-                      std::size_t axis) { return normal[axis] < 0 ? -normal[axis] : normal[axis]; };
-  std::size_t best = 0;
-  for (std::size_t axis = 1; axis < 3; ++axis)
-  {
-    best = size(axis) > size(best) ? axis : best;
-  }
-  return static_cast<int>(best);
 }
 
 class RimJoiner
@@ -404,10 +391,7 @@ private:
       divided.given.resize(count, surface.given[t]);
       divided.region.resize(count, surface.region[t]);
     }
-    surface.triangles.swap(divided.triangles);
-    surface.boundary.swap(divided.boundary);
-    surface.given.swap(divided.given);
-    surface.region.swap(divided.region);
+    surface.takeTriangles(divided);
   }
 
   // Of all regions: those that have the same triangles keep the same.
@@ -415,7 +399,8 @@ private:
   {
     rebuild(surface_, [&](std::uint32_t t, std::vector<Triple>& parts) {
       const Triple& c = surface_.triangles[t];
-      TriangleDivision division(surface_.vertices, c, axisOf(surface_.corners(t)), {});
+      TriangleDivision division(
+        surface_.vertices, c, static_cast<int>(axisOfNormal(surface_.corners(t))), {});
       for (std::size_t i = 0; i < 3; ++i)
       {
         division.divideEdge(i, pointsOn(onEdge_, c[i], following(c, i)));
@@ -456,8 +441,9 @@ private:
       {
         return;
       }
-      TriangleDivision division(surface_.vertices, c,
-        axisOf({ surface_.vertices[c[0]], surface_.vertices[c[1]], surface_.vertices[c[2]] }), {});
+      const Corners corners{ surface_.vertices[c[0]], surface_.vertices[c[1]],
+        surface_.vertices[c[2]] };
+      TriangleDivision division(surface_.vertices, c, static_cast<int>(axisOfNormal(corners)), {});
       for (std::size_t i = 0; i < 3; ++i)
       {
         division.divideEdge(i, paths[i]);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/Baffles.h"
 
-#include "Base/DisjointSets.h"
 #include "Base/Error.h"
-#include "Base/Rings.h"
-#include "Lattice/Vector.h"
 #include "Repair/BaffleRims.h"
-#include "Surface/LineCrossings.h"
+#include "Repair/JoinedSides.h"
+#include "Repair/RadialEdgeSort.h"
 #include "Surface/Places.h"
 #include "Surface/SurfaceEdges.h"
 
@@ -19,8 +17,6 @@ namespace cartesian
 namespace
 {
 
-constexpr std::uint32_t None = ~0u;
-
 // Rims follow curved walls.
 constexpr double LargestSagitta = 0.25;
 
@@ -31,71 +27,59 @@ const Baffle* baffleOf(std::int32_t boundary, const std::vector<Baffle>& baffles
   return found == baffles.end() ? nullptr : &*found;
 }
 
-// 1: d lies left of the plane through a, b and c, as one looks from a to b with c to the right; -1: right of it.
-int sideOf(const Point& a, const Point& b, const Point& c, const Point& d)
-{
-  std::array<Wide, 3> u;
-  std::array<Wide, 3> v;
-  std::array<Wide, 3> w;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    u[i] = Wide(b[i]) - a[i];
-    v[i] = Wide(c[i]) - a[i];
-    w[i] = Wide(d[i]) - a[i];
-  }
-  const Wide volume = (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] +
-    (u[0] * v[1] - u[1] * v[0]) * w[2];
-  return volume > 0 ? 1 : (volume < 0 ? -1 : 0);
-}
-
 // One region and its sheets: first the triangles of its surface, then those of the sheets.
 class RegionDivider
 {
 public:
-  RegionDivider(Surface both, std::size_t walls, std::string name)
-    : both_(std::move(both))
+  RegionDivider(const Surface& both, std::size_t walls, std::string name, Execution& execution)
+    : both_(both)
     , walls_(walls)
     , name_(std::move(name))
-    , sides_(both_.triangles.size() + (both_.triangles.size() - walls))
+    , pieces_(piecesOf(both))
+    , pieceOf_(both.triangles.size())
+    , sides_(both, pieces_, execution)
   {
+    for (std::uint32_t p = 0; p < pieces_.size(); ++p)
+    {
+      for (const std::uint32_t t : pieces_[p].triangles)
+      {
+        pieceOf_[t] = p;
+      }
+    }
+    requireInside(execution);
   }
 
   // Appends the surfaces of the parts, numbered from `first`, and returns their number. 0: a sheet does not divide
   // the region.
-  std::int32_t run(
-    const std::vector<Baffle>& baffles, std::int32_t first, Surface& result, Execution& execution)
+  std::int32_t run(const std::vector<Baffle>& baffles, std::int32_t first, Surface& result)
   {
-    SurfaceEdges(both_, execution)
-      .forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-        connect(lower, begin, end);
-      });
     if (!isDivided())
     {
       return 0;
     }
-    numberParts();
+    const std::int32_t parts = numberParts();
     for (std::uint32_t t = 0; t < both_.triangles.size(); ++t)
     {
-      const bool isSheet = t >= walls_;
       result.append(both_, t);
-      result.region.back() = first + partOf(behind(t));
-      if (isSheet)
+      result.region.back() = first + partOf(spaceBeside(t, false));
+      if (isOfSheet(t))
       {
         result.append(both_, t);
         std::swap(result.triangles.back()[1], result.triangles.back()[2]);
         result.boundary.back() = baffleOf(both_.boundary[t], baffles)->back;
-        result.region.back() = first + partOf(front(t));
+        result.region.back() = first + partOf(spaceBeside(t, true));
       }
     }
-    return parts_;
+    return parts;
   }
 
 private:
-  // The two sides of a triangle, by number; outside has none.
-  static std::uint32_t behind(std::uint32_t t) { return t; }
-  std::uint32_t front(std::uint32_t t) const
+  bool isOfSheet(std::uint32_t t) const { return t >= walls_; }
+
+  std::uint32_t spaceBeside(std::uint32_t t, bool front)
   {
-    return t < walls_ ? None : static_cast<std::uint32_t>(both_.triangles.size() + (t - walls_));
+    const std::uint32_t piece = pieceOf_[t];
+    return sides_.beside(piece, front == faceAlike(both_.triangles[t], pieces_[piece].vertices));
   }
 
   [[noreturn]] void refuse(std::uint32_t t, const std::string& what) const
@@ -105,83 +89,49 @@ private:
         ". Shift it a little there, or divide it into other triangles.");
   }
 
-  const Point& apexOf(std::uint32_t t, std::uint32_t a, std::uint32_t b) const
+  // Around edges of sheets.
+  void requireInside(Execution& execution) const
   {
-    const auto& c = both_.triangles[t];
-    return both_.vertices[*std::find_if(
-      c.begin(), c.end(), [&](std::uint32_t v) { return v != a && v != b; })];
+    RadialEdgeSort fan(both_.vertices);
+    SurfaceEdges(both_, execution)
+      .forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
+        fan.start(lower, begin->upper);
+        bool anySheet = false;
+        for (const EdgeUse* use = begin; use != end; ++use)
+        {
+          fan.add(use->triangle(), both_.triangles[use->triangle()], use->down());
+          anySheet = anySheet || isOfSheet(use->triangle());
+        }
+        if (anySheet)
+        {
+          requireInside(fan);
+        }
+      });
   }
 
-  // Unites the sides that face each other at an edge.
-  void connect(std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end)
+  void requireInside(RadialEdgeSort& fan) const
   {
-    std::vector<EdgeUse> uses(begin, end);
-    if (std::none_of(begin, end, [&](const EdgeUse& use) { return use.triangle() >= walls_; }))
-    {
-      for (const EdgeUse& use : uses)
+    fan.forEachSpace([&](const RadialEdgeSort::IncidentTriangle& one,
+                       const RadialEdgeSort::IncidentTriangle& next) {
+      const std::uint32_t last = std::max(one.triangle, next.triangle);
+      if (one.triangle != next.triangle && fan.coincide(one, next))
       {
-        sides_.unite(behind(begin->triangle()), behind(use.triangle()));
+        refuse(last, "lies on a wall or another baffle");
       }
-      return;
-    }
-    sortAround(lower, begin->upper, uses);
-    for (std::size_t i = 0; i < uses.size(); ++i)
-    {
-      const EdgeUse& use = uses[i];
-      const EdgeUse& next = following(uses, i);
-      const std::uint32_t left = use.down() ? behind(use.triangle()) : front(use.triangle());
-      const std::uint32_t right = next.down() ? front(next.triangle()) : behind(next.triangle());
-      if ((left == None) != (right == None))
+      const bool isOutsideOne = !isOfSheet(one.triangle) && !one.down;
+      const bool isOutsideNext = !isOfSheet(next.triangle) && next.down;
+      if (isOutsideOne != isOutsideNext)
       {
-        refuse(std::max(use.triangle(), next.triangle()), "lies outside of it");
+        refuse(last, "lies outside of it");
       }
-      if (left != None)
-      {
-        sides_.unite(left, right);
-      }
-    }
-  }
-
-  // Counter-clockwise, as one looks down from the upper end.
-  void sortAround(std::uint32_t a, std::uint32_t b, std::vector<EdgeUse>& uses) const
-  {
-    const Point& from = both_.vertices[a];
-    const Point& to = both_.vertices[b];
-    const Point& first = apexOf(uses[0].triangle(), a, b);
-    const auto isOpposite = [&](const Point& p) {
-      const Vector along = unit(minus(to, from));
-      const auto across = [&](const Vector& v) { return minus(v, scaled(along, dot(v, along))); };
-      return dot(across(minus(first, from)), across(minus(p, from))) < 0;
-    };
-    // 0: as the first, 1: the first half turn from there, 2: opposite, 3: the second half.
-    const auto sector = [&](const EdgeUse& use) {
-      const Point& apex = apexOf(use.triangle(), a, b);
-      const int side = sideOf(from, to, first, apex);
-      return side > 0 ? 1 : (side < 0 ? 3 : (isOpposite(apex) ? 2 : 0));
-    };
-    std::sort(uses.begin(), uses.end(), [&](const EdgeUse& x, const EdgeUse& y) {
-      const int s = sector(x);
-      const int t = sector(y);
-      return s != t ? s < t
-                    : sideOf(from, to, apexOf(x.triangle(), a, b), apexOf(y.triangle(), a, b)) > 0;
     });
-    for (std::size_t i = 0; i + 1 < uses.size(); ++i)
-    {
-      if (sector(uses[i]) == sector(uses[i + 1]) &&
-        sideOf(from, to, apexOf(uses[i].triangle(), a, b), apexOf(uses[i + 1].triangle(), a, b)) ==
-          0)
-      {
-        refuse(
-          std::max(uses[i].triangle(), uses[i + 1].triangle()), "lies on a wall or another baffle");
-      }
-    }
   }
 
   bool isDivided()
   {
     for (auto t = static_cast<std::uint32_t>(walls_); t < both_.triangles.size(); ++t)
     {
-      if (sides_.find(behind(t)) == sides_.find(front(t)))
+      if (spaceBeside(t, false) == spaceBeside(t, true))
       {
         return false;
       }
@@ -189,76 +139,46 @@ private:
     return true;
   }
 
-  // Those with sheets around them; then cavities are put into them, and other bodies into the first.
-  void numberParts()
+  // The spaces beside sheets, in order of their first walls. Returns their number.
+  std::int32_t numberParts()
   {
-    const auto count = static_cast<std::uint32_t>(both_.triangles.size());
-    std::vector<std::uint32_t> roots;
-    for (auto t = static_cast<std::uint32_t>(walls_); t < count; ++t)
+    for (auto t = static_cast<std::uint32_t>(walls_); t < both_.triangles.size(); ++t)
     {
-      roots.push_back(sides_.find(behind(t)));
-      roots.push_back(sides_.find(front(t)));
+      part_[spaceBeside(t, false)] = Unnumbered;
+      part_[spaceBeside(t, true)] = Unnumbered;
     }
-    std::sort(roots.begin(), roots.end());
-    roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
-    for (const std::uint32_t root : roots)
-    {
-      number_[root] = parts_++;
-    }
+    std::int32_t parts = 0;
+    const auto add = [&](std::int32_t& part) { part = part == Unnumbered ? parts++ : part; };
     for (std::uint32_t t = 0; t < walls_; ++t)
     {
-      const std::uint32_t root = sides_.find(behind(t));
-      if (number_.count(root) == 0)
+      if (const auto part = part_.find(spaceBeside(t, false)); part != part_.end())
       {
-        number_[root] = partAround(t);
+        add(part->second);
       }
     }
+    for (auto& [space, part] : part_)
+    {
+      add(part); // with sheets all around
+    }
+    return parts;
   }
 
-  // The part in which a shell without sheets lies, found by a line from it to the end of the grid.
-  std::int32_t partAround(std::uint32_t shell)
+  // Other bodies of the region belong to the first.
+  std::int32_t partOf(std::uint32_t space) const
   {
-    const Point& start = both_.vertices[both_.triangles[shell][0]];
-    const std::vector<Level> middles{ start[1] + 1 };
-    const std::vector<Level> outers{ start[2] + 1 };
-    std::map<std::int32_t, int> turns;
-    const auto cross = [&](std::uint32_t t, std::uint32_t side, int way) {
-      const auto part = number_.find(sides_.find(side));
-      if (part == number_.end())
-      {
-        return;
-      }
-      forEachLineCrossing(both_.corners(t), RowsAlong[0], middles, outers,
-        [&](std::size_t, std::size_t, const Point& p, bool up) {
-          turns[part->second] += p[0] < start[0] ? (up ? -way : way) : 0;
-        });
-    };
-    for (std::uint32_t t = 0; t < both_.triangles.size(); ++t)
-    {
-      cross(t, behind(t), 1);
-      if (t >= walls_)
-      {
-        cross(t, front(t), -1);
-      }
-    }
-    for (const auto& [part, count] : turns)
-    {
-      if (count > 0)
-      {
-        return part;
-      }
-    }
-    return 0;
+    const auto part = part_.find(space);
+    return part == part_.end() ? 0 : part->second;
   }
 
-  std::int32_t partOf(std::uint32_t side) { return number_.at(sides_.find(side)); }
+  static constexpr std::int32_t Unnumbered = -1;
 
-  Surface both_;
+  const Surface& both_;
   std::size_t walls_;
   std::string name_;
-  DisjointSets sides_;
-  std::map<std::uint32_t, std::int32_t> number_; // of the part that a set of sides is around
-  std::int32_t parts_ = 0;
+  std::vector<Piece> pieces_;
+  std::vector<std::uint32_t> pieceOf_; // of each triangle
+  JoinedSides sides_;
+  std::map<std::uint32_t, std::int32_t> part_; // of spaces beside sheets
 };
 
 // Takes triangles out of a surface.
@@ -266,7 +186,7 @@ template <class IsTaken>
 Surface take(Surface& surface, IsTaken&& isTaken)
 {
   Surface left;
-  Surface taken;
+  Surface taken = surface.withoutTriangles();
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
     if (isTaken(t))
@@ -279,12 +199,7 @@ Surface take(Surface& surface, IsTaken&& isTaken)
       left.ofSheet.push_back(surface.isOfSheet(t) ? 1 : 0);
     }
   }
-  taken.lattice = surface.lattice;
-  taken.vertices = surface.vertices;
-  surface.triangles.swap(left.triangles);
-  surface.boundary.swap(left.boundary);
-  surface.given.swap(left.given);
-  surface.region.swap(left.region);
+  surface.takeTriangles(left);
   if (!surface.ofSheet.empty())
   {
     surface.ofSheet.swap(left.ofSheet);
@@ -318,9 +233,7 @@ std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
   RegionParts parts;
   for (std::int32_t region = FirstRegion; region < FirstRegion + regions; ++region)
   {
-    Surface both;
-    both.lattice = surface.lattice;
-    both.vertices = surface.vertices;
+    Surface both = surface.withoutTriangles();
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     {
       if (surface.region[t] == region)
@@ -341,7 +254,7 @@ std::optional<RegionParts> divideByBaffles(Surface& surface, Surface sheets,
     std::int32_t count = 1;
     if (isDivided)
     {
-      count = RegionDivider(both, walls, nameOf(region)).run(baffles, first, result, execution);
+      count = RegionDivider(both, walls, nameOf(region), execution).run(baffles, first, result);
       if (count == 0)
       {
         return std::nullopt;

@@ -4,6 +4,7 @@
 #include "Base/DisjointSets.h"
 #include "Repair/EdgePoints.h"
 #include "Repair/OpenRims.h"
+#include "Repair/TrianglePlane.h"
 #include "Repair/TriangleTree.h"
 
 #include <algorithm>
@@ -28,46 +29,6 @@ bool isIn(const std::vector<std::uint32_t>& sorted, std::uint32_t vertex)
 {
   return std::binary_search(sorted.begin(), sorted.end(), vertex);
 }
-
-// The triangles with open edges, by place; their corners have moved.
-class RimTriangles
-{
-public:
-  RimTriangles(
-    const Surface& surface, const OpenRims& rims, const CornerMoves& moves, Execution& execution)
-    : numbers_(rims.triangles())
-    , tree_(only(surface, numbers_, moves), execution)
-  {
-  }
-
-  template <class Visitor>
-  void forEachNear(const Vector& place, double distance, Visitor&& visit) const
-  {
-    const Vector reach{ distance, distance, distance };
-    tree_.forEachWithin(
-      minus(place, reach), plus(place, reach), [&](std::uint32_t t) { visit(numbers_[t]); });
-  }
-
-private:
-  static Surface only(
-    const Surface& surface, const std::vector<std::uint32_t>& numbers, const CornerMoves& moves)
-  {
-    Surface result;
-    result.vertices = surface.vertices;
-    for (const std::uint32_t t : numbers)
-    {
-      result.triangles.push_back(surface.triangles[t]);
-      for (std::uint32_t& vertex : result.triangles.back())
-      {
-        vertex = goalOf(moves, vertex);
-      }
-    }
-    return result;
-  }
-
-  std::vector<std::uint32_t> numbers_; // of the triangles of the tree
-  TriangleTree tree_;
-};
 
 // An edge, or a part of one between two corners that lie on it: the lower and the upper corner.
 using Part = std::array<std::uint32_t, 2>;
@@ -138,14 +99,15 @@ private:
   template <class Visitor>
   void forEachMeeting(const OpenRims& rims, Visitor&& visit) const
   {
-    const RimTriangles triangles(surface_, rims, moves_, execution_);
+    const TriangleTree triangles = movedTriangles(rims);
     const std::map<std::uint32_t, std::int32_t> regions = regionsOf(rims);
     for (const std::uint32_t corner : rims.corners())
     {
       const Vector place = placeOf(corner);
       const double width = widthAt(place);
       const std::vector<std::uint32_t> near = rims.near(corner, SameSide * width);
-      triangles.forEachNear(place, width, [&](std::uint32_t t) {
+      const Vector reach{ width, width, width };
+      triangles.forEachWithin(minus(place, reach), plus(place, reach), [&](std::uint32_t t) {
         const auto [begin, end] = rims.of(t);
         for (const OpenEdge* edge = begin; edge != end; ++edge)
         {
@@ -157,6 +119,27 @@ private:
         }
       });
     }
+  }
+
+  // Those with open edges, where their corners have moved to.
+  TriangleTree movedTriangles(const OpenRims& rims) const
+  {
+    Surface moved;
+    moved.vertices = surface_.vertices;
+    moved.triangles = surface_.triangles;
+    std::vector<std::uint32_t> withArea;
+    for (const std::uint32_t t : rims.triangles())
+    {
+      for (std::uint32_t& vertex : moved.triangles[t])
+      {
+        vertex = goalOf(moves_, vertex);
+      }
+      if (axisAcross(moved.corners(t)) >= 0)
+      {
+        withArea.push_back(t);
+      }
+    }
+    return TriangleTree(moved, std::move(withArea), execution_);
   }
 
   std::map<std::uint32_t, std::int32_t> regionsOf(const OpenRims& rims) const

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/DomainBox.h"
 
-#include "Repair/ManifoldComponents.h"
+#include "Repair/OpenPieces.h"
 #include "Repair/OpenRims.h"
 
 #include <algorithm>
@@ -116,38 +116,11 @@ private:
   std::array<Level, 6> level_{};
 };
 
-// An open part.
-struct Part
-{
-  std::vector<std::uint32_t> triangles;
-  std::vector<std::uint32_t> rim; // corners
-};
-
-std::map<std::uint32_t, Part> openParts(const Surface& surface, Execution& execution)
-{
-  const SurfaceEdges edges(surface, execution);
-  const ManifoldComponents parts(surface, edges, execution);
-  std::map<std::uint32_t, Part> open;
-  for (const OpenEdge& edge : openEdgesOf(surface, execution))
-  {
-    std::vector<std::uint32_t>& rim = open[parts.of(edge.triangle)].rim;
-    rim.insert(rim.end(), { edge.lower, edge.upper });
-  }
-  for (std::uint32_t t = 0; t < surface.triangles.size() && !open.empty(); ++t)
-  {
-    if (const auto part = open.find(parts.of(t)); part != open.end())
-    {
-      part->second.triangles.push_back(t);
-    }
-  }
-  return open;
-}
-
 // As a vector, levels squared.
-Vector areaOf(const Surface& surface, const Part& part)
+Vector areaOf(const Surface& surface, const OpenPiece& piece)
 {
   Vector twice{};
-  for (const std::uint32_t t : part.triangles)
+  for (const std::uint32_t t : piece.triangles)
   {
     const Corners c = surface.corners(t);
     twice = plus(twice, cross(minus(c[1], c[0]), minus(c[2], c[0])));
@@ -155,10 +128,11 @@ Vector areaOf(const Surface& surface, const Part& part)
   return scaled(twice, 0.5);
 }
 
-bool reachesAround(const Surface& surface, const Part& part, const Sides& sides, std::size_t axis)
+bool reachesAround(
+  const Surface& surface, const OpenPiece& piece, const Sides& sides, std::size_t axis)
 {
   std::array<bool, 6> isReached{};
-  const bool all = std::all_of(part.rim.begin(), part.rim.end(), [&](std::uint32_t v) {
+  const auto reachesAny = [&](std::uint32_t v) {
     bool any = false;
     for (std::size_t side = 0; side < isReached.size(); ++side)
     {
@@ -167,7 +141,9 @@ bool reachesAround(const Surface& surface, const Part& part, const Sides& sides,
       any = any || is;
     }
     return any;
-  });
+  };
+  const bool all = std::all_of(piece.rim.begin(), piece.rim.end(),
+    [&](const auto& edge) { return reachesAny(edge[0]) && reachesAny(edge[1]); });
   const std::size_t one = (axis + 1) % 3;
   const std::size_t other = (axis + 2) % 3;
   return all && isReached[2 * one] && isReached[2 * one + 1] && isReached[2 * other] &&
@@ -196,15 +172,15 @@ std::vector<Terrain> findTerrain(
 {
   const Sides sides(planes, near);
   std::vector<Terrain> found;
-  for (const auto& [first, part] : openParts(surface, execution))
+  for (const OpenPiece& piece : openPiecesOf(surface, {}, execution))
   {
-    const Vector area = areaOf(surface, part);
+    const Vector area = areaOf(surface, piece);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       if (std::abs(area[axis]) >= LeastCover * sides.areaAcross(axis) &&
-        reachesAround(surface, part, sides, axis))
+        reachesAround(surface, piece, sides, axis))
       {
-        found.push_back({ first, axis, area[axis] > 0, part.triangles });
+        found.push_back({ piece.triangles.front(), axis, area[axis] > 0, piece.triangles });
         break;
       }
     }

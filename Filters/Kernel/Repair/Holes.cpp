@@ -3,10 +3,13 @@
 
 #include "Base/Sorting.h"
 #include "Lattice/Vector.h"
+#include "Surface/Places.h"
 
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <queue>
+#include <set>
 
 namespace cartesian
 {
@@ -16,6 +19,9 @@ namespace
 
 // The time to fill a rim grows with the cube of its length.
 constexpr std::size_t MostRimEdges = 128;
+
+// A lid of a sheet has more than this part of the area of the triangles along its rim.
+constexpr double LeastLid = 0.7;
 
 // An open edge, as seen from one of its ends.
 struct RimEdge
@@ -324,10 +330,35 @@ std::int32_t boundaryOf(const RimLoop& loop, const Surface& surface)
   })->first;
 }
 
+// A hole and what closes it.
+struct Filling
+{
+  RimLoop loop;
+  Hole hole{};
+  std::vector<Triangle> triangles = {};
+
+  double area() const { return hole.width * loop.length / 4; }
+};
+
+void fill(const Surface& surface, const Meshlines& planes, Filling& filling)
+{
+  Hole& hole = filling.hole;
+  for (const RimEdge& edge : filling.loop.edges)
+  {
+    hole.rim.push_back(edge.from);
+  }
+  std::vector<std::uint32_t> rim = hole.rim;
+  if (runsAlong(filling.loop))
+  {
+    std::reverse(rim.begin(), rim.end());
+  }
+  hole.width = 4 * HoleFiller(surface).fill(rim, filling.triangles) / filling.loop.length;
+  hole.leak = hole.width >= narrowestSide(planes, filling.loop.centre);
+  hole.triangles = filling.triangles.size();
 }
 
-std::vector<Hole> closeHoles(
-  Surface& surface, const SurfaceEdges& edges, const Meshlines& planes, Execution& execution)
+std::vector<Filling> fillingsOf(
+  const Surface& surface, const SurfaceEdges& edges, const Meshlines& planes, Execution& execution)
 {
   const std::vector<RimEdge> rims = findRims(edges);
   std::vector<RimLoop> loops;
@@ -339,32 +370,68 @@ std::vector<Hole> closeHoles(
       });
   }
   std::sort(loops.begin(), loops.end());
-
-  std::vector<Hole> holes(loops.size());
-  std::vector<std::vector<Triangle>> fillings(loops.size());
-  execution.forEach(loops.size(), 1, [&](std::size_t h, std::size_t) {
-    Hole& hole = holes[h];
-    for (const RimEdge& edge : loops[h].edges)
-    {
-      hole.rim.push_back(edge.from);
-    }
-    std::vector<std::uint32_t> rim = hole.rim;
-    if (runsAlong(loops[h]))
-    {
-      std::reverse(rim.begin(), rim.end());
-    }
-    hole.width = 4 * HoleFiller(surface).fill(rim, fillings[h]) / loops[h].length;
-    hole.leak = hole.width >= narrowestSide(planes, loops[h].centre);
-  });
-  for (std::size_t h = 0; h < holes.size(); ++h)
+  std::vector<Filling> fillings;
+  for (RimLoop& loop : loops)
   {
-    holes[h].firstTriangle = surface.triangles.size();
-    holes[h].triangles = fillings[h].size();
-    surface.triangles.insert(surface.triangles.end(), fillings[h].begin(), fillings[h].end());
+    fillings.push_back({ std::move(loop) });
+  }
+  execution.forEach(
+    fillings.size(), 1, [&](std::size_t h, std::size_t) { fill(surface, planes, fillings[h]); });
+  return fillings;
+}
+
+std::vector<Hole> append(std::vector<Filling> fillings, Surface& surface)
+{
+  std::vector<Hole> holes;
+  for (Filling& filling : fillings)
+  {
+    const std::vector<Triangle>& triangles = filling.triangles;
+    filling.hole.firstTriangle = surface.triangles.size();
+    surface.triangles.insert(surface.triangles.end(), triangles.begin(), triangles.end());
     surface.boundary.resize(
-      surface.triangles.size(), holes[h].leak ? NoBoundary : boundaryOf(loops[h], surface));
+      surface.triangles.size(), filling.hole.leak ? NoBoundary : boundaryOf(filling.loop, surface));
+    holes.push_back(std::move(filling.hole));
   }
   return holes;
+}
+
+// Whether its rim is around a sheet, not in it: a lid would be about as large as what it is the rim of.
+bool isAroundSheet(
+  const Filling& filling, const Surface& surface, const std::vector<std::uint8_t>& isOfSheet)
+{
+  const std::uint32_t first = filling.hole.rim.front();
+  if (first >= isOfSheet.size() || isOfSheet[first] == 0)
+  {
+    return false;
+  }
+  std::set<std::uint32_t> along;
+  for (const RimEdge& edge : filling.loop.edges)
+  {
+    along.insert(edge.triangle);
+  }
+  const double beside = std::accumulate(along.begin(), along.end(), 0.,
+    [&](double sum, std::uint32_t t) { return sum + areaOf(surface, t); });
+  return filling.area() > LeastLid * beside;
+}
+
+}
+
+std::vector<Hole> closeHoles(
+  Surface& surface, const SurfaceEdges& edges, const Meshlines& planes, Execution& execution)
+{
+  return append(fillingsOf(surface, edges, planes, execution), surface);
+}
+
+std::vector<Hole> closeNarrowHoles(Surface& surface, double width,
+  const std::vector<std::uint8_t>& isOfSheet, const Meshlines& planes, Execution& execution)
+{
+  std::vector<Filling> fillings =
+    fillingsOf(surface, SurfaceEdges(surface, execution), planes, execution);
+  const auto staysOpen = [&](const Filling& filling) {
+    return filling.hole.width >= width || isAroundSheet(filling, surface, isOfSheet);
+  };
+  fillings.erase(std::remove_if(fillings.begin(), fillings.end(), staysOpen), fillings.end());
+  return append(std::move(fillings), surface);
 }
 
 }

@@ -32,4 +32,9 @@ struct Hole
 std::vector<Hole> closeHoles(
   Surface& surface, const SurfaceEdges& edges, const Meshlines& planes, Execution& execution);
 
+// Only those narrower than `width`, in levels, and not those around sheets, which have nearly their area. `isOfSheet`: of the
+// first vertices.
+std::vector<Hole> closeNarrowHoles(Surface& surface, double width,
+  const std::vector<std::uint8_t>& isOfSheet, const Meshlines& planes, Execution& execution);
+
 }

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which triangles are near a place, by a grid of cells.
+// Which triangle is the nearest to a place.
 #pragma once
 
 #include "Lattice/NearestPlace.h"
-#include "Surface/Surface.h"
-
-#include <unordered_map>
+#include "Repair/TriangleTree.h"
 
 namespace cartesian
 {
@@ -13,47 +11,68 @@ namespace cartesian
 class NearbyTriangles
 {
 public:
-  // Of these triangles of the surface, which is borrowed, for places at most `reach` levels away.
-  NearbyTriangles(
-    const Surface& surface, const std::vector<std::uint32_t>& triangles, double reach);
+  static constexpr std::uint32_t None = ~0u;
 
   struct Nearest
   {
     std::uint32_t triangle = None;
     double distance = 0;
   };
-  static constexpr std::uint32_t None = ~0u;
+
+  // Of all triangles of the surface that have an area; it is borrowed.
+  NearbyTriangles(const Surface& surface, Execution& execution)
+    : surface_(surface)
+    , tree_(surface, execution)
+  {
+  }
+
+  // Of these triangles, for places at most `reach` levels away; on one thread.
+  NearbyTriangles(const Surface& surface, const std::vector<std::uint32_t>& triangles, double reach)
+    : surface_(surface)
+    , tree_(treeOf(surface, triangles))
+    , reach_(reach)
+  {
+  }
 
   // The nearest of those triangles that accept(triangle) accepts; of equally near ones the first. None: it is
   // further away than the reach.
   template <class Accept>
-  Nearest find(const Vector& place, Accept&& accept) const
+  Nearest find(const Vector& place, double reach, Accept&& accept) const
   {
-    Nearest best{ None, reach_ };
-    const auto cell = cells_.find(keyOf(cellOf(place)));
-    for (std::size_t i = 0; cell != cells_.end() && i < cell->second.size(); ++i)
-    {
-      const std::uint32_t t = cell->second[i];
+    Nearest best{ None, reach };
+    const Vector aside{ reach, reach, reach };
+    tree_.forEachWithin(minus(place, aside), plus(place, aside), [&](std::uint32_t t) {
       const double distance = norm(minus(nearestPlace(surface_.corners(t), place), place));
-      if ((distance < best.distance || (distance == best.distance && best.triangle == None)) &&
-        accept(t))
-      {
-        best = { t, distance };
-      }
-    }
+      const bool isNearer =
+        distance != best.distance ? distance < best.distance : t < best.triangle;
+      best = isNearer && accept(t) ? Nearest{ t, distance } : best;
+    });
     return best;
   }
 
-private:
-  using Cell = std::array<std::int64_t, 3>;
+  template <class Accept>
+  Nearest find(const Vector& place, Accept&& accept) const
+  {
+    return find(place, reach_, accept);
+  }
 
-  Cell cellOf(const Vector& place) const;
-  static std::int64_t keyOf(const Cell& cell);
+  // Whether one that accept(triangle) accepts is within the reach.
+  template <class Accept>
+  bool isAnyNear(const Vector& place, double reach, Accept&& accept) const
+  {
+    return find(place, reach, accept).triangle != None;
+  }
+
+private:
+  static TriangleTree treeOf(const Surface& surface, const std::vector<std::uint32_t>& triangles)
+  {
+    Execution alone;
+    return TriangleTree(surface, triangles, alone);
+  }
 
   const Surface& surface_;
-  double reach_;
-  double size_; // of a cell
-  std::unordered_map<std::int64_t, std::vector<std::uint32_t>> cells_;
+  TriangleTree tree_;
+  double reach_ = 0;
 };
 
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/OpenSheets.h"
 
-#include "Base/DisjointSets.h"
 #include "Lattice/Vector.h"
 #include "Repair/Holes.h"
 #include "Repair/NearbyTriangles.h"
-#include "Repair/TriangleTree.h"
+#include "Repair/OpenPieces.h"
 #include "Surface/Places.h"
 #include "Surface/SurfaceEdges.h"
 
@@ -31,144 +30,34 @@ constexpr double LargestSagitta = 0.25;
 
 constexpr std::uint32_t None = ~0u;
 
-double areaOf(const Surface& surface, std::size_t triangle)
+struct Piece : OpenPiece
 {
-  const Corners c = surface.corners(triangle);
-  return norm(cross(minus(c[1], c[0]), minus(c[2], c[0]))) / 2;
-}
-
-// A piece with an edge that nothing else uses.
-struct Piece
-{
-  std::vector<std::uint32_t> triangles;
-  std::vector<std::array<std::uint32_t, 2>> rim; // such edges
-  double area = 0;                               // levels squared
+  double area = 0; // levels squared
   bool isSheet = false;
 
   double crack() const { return Crack * std::sqrt(area); }
 };
 
-class OpenPieces
+// Without baffles.
+std::vector<Piece> piecesOf(
+  const Surface& surface, const std::vector<Baffle>& baffles, Execution& execution)
 {
-public:
-  OpenPieces(const Surface& surface, const std::vector<Baffle>& baffles)
-    : surface_(surface)
-    , isTaken_(surface.triangles.size())
-    , connected_(surface.triangles.size())
+  std::vector<std::uint8_t> isOfBaffle(surface.triangles.size());
+  for (std::size_t t = 0; t < isOfBaffle.size() && !baffles.empty(); ++t)
   {
-    for (std::size_t t = 0; t < isTaken_.size() && !baffles.empty(); ++t)
+    isOfBaffle[t] = std::any_of(baffles.begin(), baffles.end(),
+      [&](const Baffle& b) { return b.boundary == surface.boundary[t]; });
+  }
+  std::vector<Piece> pieces;
+  for (OpenPiece& open : openPiecesOf(surface, isOfBaffle, execution))
+  {
+    pieces.push_back({ std::move(open) });
+    for (const std::uint32_t t : pieces.back().triangles)
     {
-      isTaken_[t] = std::any_of(baffles.begin(), baffles.end(),
-        [&](const Baffle& b) { return b.boundary == surface.boundary[t]; });
+      pieces.back().area += areaOf(surface, t);
     }
   }
-
-  // In order of their first triangles.
-  std::vector<Piece> find(Execution& execution)
-  {
-    SurfaceEdges(surface_, execution)
-      .forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-        connect(lower, begin, end);
-      });
-    std::map<std::uint32_t, std::uint32_t> numberOf; // by the root of an open piece
-    for (const Free& free : free_)
-    {
-      numberOf[connected_.find(free.triangle)] = None;
-    }
-    std::vector<Piece> pieces;
-    for (std::uint32_t t = 0; t < surface_.triangles.size() && !numberOf.empty(); ++t)
-    {
-      const auto number = numberOf.find(connected_.find(t));
-      if (number == numberOf.end() || namesAVertexTwice(surface_.triangles[t]))
-      {
-        continue;
-      }
-      if (number->second == None)
-      {
-        number->second = static_cast<std::uint32_t>(pieces.size());
-        pieces.emplace_back();
-      }
-      Piece& piece = pieces[number->second];
-      piece.triangles.push_back(t);
-      piece.area += areaOf(surface_, t);
-    }
-    for (const Free& free : free_)
-    {
-      pieces[numberOf[connected_.find(free.triangle)]].rim.push_back(free.edge);
-    }
-    return pieces;
-  }
-
-private:
-  struct Free
-  {
-    std::uint32_t triangle;
-    std::array<std::uint32_t, 2> edge;
-  };
-
-  std::int32_t regionOf(std::uint32_t t) const
-  {
-    return surface_.region.empty() ? 0 : surface_.region[t];
-  }
-
-  void connect(std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end)
-  {
-    const auto isOf = [&](const EdgeUse& use, std::int32_t region) {
-      return isTaken_[use.triangle()] == 0 && regionOf(use.triangle()) == region;
-    };
-    for (const EdgeUse* use = begin; use != end; ++use)
-    {
-      const std::uint32_t t = use->triangle();
-      const std::int32_t region = regionOf(t);
-      const auto uses =
-        std::count_if(begin, end, [&](const EdgeUse& other) { return isOf(other, region); });
-      if (isTaken_[t] == 0 && uses == 1)
-      {
-        free_.push_back({ t, { lower, begin->upper } });
-      }
-      if (isTaken_[t] == 0 && uses == 2)
-      {
-        const EdgeUse* const other =
-          std::find_if(begin, end, [&](const EdgeUse& o) { return isOf(o, region); });
-        connected_.unite(t, other->triangle());
-      }
-    }
-  }
-
-  const Surface& surface_;
-  std::vector<std::uint8_t> isTaken_; // by a baffle
-  DisjointSets connected_;
-  std::vector<Free> free_;
-};
-
-// A piece by itself, with its vertices in order.
-Surface surfaceOf(const Surface& all, const Piece& piece)
-{
-  Surface own;
-  own.lattice = all.lattice;
-  std::vector<std::uint32_t> vertices;
-  for (const std::uint32_t t : piece.triangles)
-  {
-    vertices.insert(vertices.end(), all.triangles[t].begin(), all.triangles[t].end());
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  for (const std::uint32_t v : vertices)
-  {
-    own.vertices.push_back(all.vertices[v]);
-  }
-  for (const std::uint32_t t : piece.triangles)
-  {
-    std::array<std::uint32_t, 3> triangle = all.triangles[t];
-    for (std::uint32_t& v : triangle)
-    {
-      v = static_cast<std::uint32_t>(
-        std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
-    }
-    own.triangles.push_back(triangle);
-    own.boundary.push_back(all.boundary[t]);
-  }
-  return own;
+  return pieces;
 }
 
 bool looksLikeASheet(const Surface& surface, const Piece& piece, SheetHandling handling,
@@ -178,7 +67,7 @@ bool looksLikeASheet(const Surface& surface, const Piece& piece, SheetHandling h
   {
     return false;
   }
-  Surface own = surfaceOf(surface, piece);
+  Surface own = partOf(surface, piece.triangles);
   const std::vector<Hole> holes = closeHoles(own, SurfaceEdges(own, execution), planes, execution);
   if (handling == SheetHandling::Keep)
   {
@@ -200,7 +89,7 @@ public:
     Execution& execution)
     : surface_(surface)
     , planes_(planes)
-    , tree_(surface, execution)
+    , nearby_(surface, execution)
     , pieceOf_(surface.triangles.size(), None)
   {
     for (std::uint32_t p = 0; p < pieces.size(); ++p)
@@ -215,18 +104,8 @@ public:
   // Whether any but this piece's own are at most this far from a place, in levels.
   bool areNear(const Vector& place, double distance, std::uint32_t piece) const
   {
-    if (isNearSide(place, distance))
-    {
-      return true;
-    }
-    const Vector aside{ distance, distance, distance };
-    bool found = false;
-    tree_.forEachWithin(minus(place, aside), plus(place, aside), [&](std::uint32_t t) {
-      found = found ||
-        (pieceOf_[t] != piece &&
-          norm(minus(nearestPlace(surface_.corners(t), place), place)) <= distance);
-    });
-    return found;
+    return isNearSide(place, distance) ||
+      nearby_.isAnyNear(place, distance, [&](std::uint32_t t) { return pieceOf_[t] != piece; });
   }
 
 private:
@@ -246,7 +125,7 @@ private:
 
   const Surface& surface_;
   const Meshlines& planes_;
-  TriangleTree tree_;
+  NearbyTriangles nearby_;
   std::vector<std::uint32_t> pieceOf_; // by triangle; None: of no open piece
 };
 
@@ -267,7 +146,7 @@ bool rimLiesOn(const Walls& walls, const Surface& surface, const Piece& piece, s
 bool lidsLieOn(const Walls& walls, const Surface& surface, const Piece& piece, std::uint32_t number,
   const Meshlines& planes, Execution& execution)
 {
-  Surface own = surfaceOf(surface, piece);
+  Surface own = partOf(surface, piece.triangles);
   closeHoles(own, SurfaceEdges(own, execution), planes, execution);
   double all = 0;
   double onWalls = 0;
@@ -305,7 +184,6 @@ void dropPatches(const Surface& surface, std::vector<Piece>& pieces)
   Surface rims; // triangles without area
   rims.vertices = surface.vertices;
   std::vector<std::uint32_t> all;
-  double reach = 0; // levels
   for (std::uint32_t p = 0; p < pieces.size(); ++p)
   {
     for (const auto& [from, to] : pieces[p].rim)
@@ -314,16 +192,14 @@ void dropPatches(const Surface& surface, std::vector<Piece>& pieces)
       rims.triangles.push_back({ from, to, to });
       rims.boundary.push_back(static_cast<std::int32_t>(p));
     }
-    reach = std::max(reach, pieces[p].isSheet ? pieces[p].crack() : 0);
   }
-  const NearbyTriangles nearby(rims, all, reach);
+  const NearbyTriangles nearby(rims, all, 0);
   for (std::uint32_t p = 0; p < pieces.size(); ++p)
   {
     Piece& piece = pieces[p];
     const auto isAlong = [&](std::uint32_t v) {
-      const auto nearest = nearby.find(toVector(surface.vertices[v]),
+      return nearby.isAnyNear(toVector(surface.vertices[v]), piece.crack(),
         [&](std::uint32_t t) { return rims.boundary[t] != static_cast<std::int32_t>(p); });
-      return nearest.triangle != NearbyTriangles::None && nearest.distance <= piece.crack();
     };
     piece.isSheet = piece.isSheet &&
       !std::all_of(piece.rim.begin(), piece.rim.end(),
@@ -354,7 +230,7 @@ OpenSheets findOpenSheets(const Surface& surface, const OpenSheetSpec& spec,
   {
     return found;
   }
-  std::vector<Piece> pieces = OpenPieces(surface, baffles).find(execution);
+  std::vector<Piece> pieces = piecesOf(surface, baffles, execution);
   for (Piece& piece : pieces)
   {
     piece.isSheet = looksLikeASheet(surface, piece, spec.handling, planes, execution);

@@ -57,6 +57,12 @@ public:
     }
   }
 
+  // Whether two lie on each other.
+  bool coincide(const IncidentTriangle& one, const IncidentTriangle& other) const
+  {
+    return turnTo(one.apex, other.apex) == 0 && isAlong(one.apex, other.apex);
+  }
+
 private:
   void sort()
   {

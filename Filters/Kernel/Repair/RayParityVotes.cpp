@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/RayParityVotes.h"
 
-#include "Repair/LineGrid.h"
+#include "Repair/RayCrossings.h"
+#include "Repair/SampleRays.h"
 #include "Repair/Snapping.h"
 
 #include <algorithm>
@@ -12,21 +13,12 @@ namespace cartesian
 namespace
 {
 
-constexpr std::size_t TrianglesAChunk = 2048;
+// Of lines with triangles in all. Beyond that, the lines of small triangles have no vote: millions of large triangles that
+// all overlap would take days.
+constexpr std::size_t MostCrossings = 5000000;
 
-// A triangle's crossing with a line.
-struct VotingCrossing
-{
-  std::uint32_t line;
-  Level level;
-  std::uint32_t triangle;
-  bool up; // the normal's direction along the line
-
-  bool operator<(const VotingCrossing& other) const
-  {
-    return level != other.level ? level < other.level : triangle < other.triangle;
-  }
-};
+// Followed at once on all threads; then twice as many each time.
+constexpr std::size_t FirstRays = 64;
 
 class VoteCounter
 {
@@ -42,32 +34,25 @@ public:
     votes_.samples.resize(surface.triangles.size());
   }
 
-  void vote(int along, std::vector<SampleRay>& lines, Execution& execution)
+  void vote(
+    std::size_t along, std::vector<SampleRay>& rays, const TriangleTree& tree, Execution& execution)
   {
-    if (lines.empty())
+    std::sort(rays.begin(), rays.end());
+    std::size_t crossed = 0;
+    std::size_t count = FirstRays;
+    for (std::size_t first = 0; first < rays.size() && crossed < MostCrossings; first += count / 2)
     {
-      return;
-    }
-    const LineGrid grid(surface_, along, lines, execution);
-    const std::size_t count = surface_.triangles.size();
-    std::vector<std::vector<VotingCrossing>> found(chunks(count, TrianglesAChunk));
-    execution.forEach(count, TrianglesAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t t = begin; t < end; ++t)
+      std::vector<std::vector<RayCrossing>> crossings(std::min(count, rays.size() - first));
+      execution.forEach(crossings.size(), 1, [&](std::size_t i, std::size_t) {
+        crossings[i] = crossingsOf(surface_, tree, along, rays[first + i].place);
+      });
+      for (std::size_t i = 0; i < crossings.size(); ++i)
       {
-        const Corners corners = surface_.corners(t);
-        grid.forEachLine(corners, [&](std::uint32_t line) {
-          const Point p = crossLine(corners, along, grid.at(line));
-          found[begin / TrianglesAChunk].push_back(
-            { line, p[static_cast<std::size_t>(along)], static_cast<std::uint32_t>(t),
-              exactNormal(corners)[static_cast<std::size_t>(along)] > 0 });
-        });
+        const std::vector<RayCrossing>& all = crossings[i];
+        countLine(all.data(), all.data() + all.size(), rays[first + i].sheet);
+        crossed += all.size();
       }
-    });
-    const Buckets<VotingCrossing> crossings = sortIntoBuckets(
-      found, lines.size(), [](const VotingCrossing& v) { return v.line; }, execution);
-    for (std::size_t line = 0; line < lines.size(); ++line)
-    {
-      countLine(crossings.begin(line), crossings.end(line), lines[line].sheet);
+      count *= 2;
     }
   }
 
@@ -75,14 +60,14 @@ public:
 
 private:
   // The crossings of one line, which was laid through a sheet.
-  void countLine(const VotingCrossing* begin, const VotingCrossing* end, std::uint32_t sheet)
+  void countLine(const RayCrossing* begin, const RayCrossing* end, std::uint32_t sheet)
   {
     if ((end - begin) % 2 == 1)
     {
       return; // it passes through a hole
     }
     entered_.clear();
-    for (const VotingCrossing* vote = begin; vote != end; ++vote)
+    for (const RayCrossing* vote = begin; vote != end; ++vote)
     {
       const std::uint32_t own = sheets_.of(vote->triangle);
       const bool isAlone = (vote == begin || vote[-1].level != vote->level) &&
@@ -104,7 +89,7 @@ private:
     }
   }
 
-  void addFacing(const VotingCrossing& vote, bool entering, RayParityVotes::OfFacing& facing) const
+  void addFacing(const RayCrossing& vote, bool entering, RayParityVotes::OfFacing& facing) const
   {
     const bool outward = entering != vote.up;
     ++(outward != sheets_.turned(vote.triangle) ? facing.outward : facing.inward);
@@ -129,19 +114,18 @@ private:
   }
 
   // What the line is in where it crosses a sheet.
-  void addNesting(
-    const VotingCrossing* begin, const VotingCrossing* sample, const VotingCrossing* end)
+  void addNesting(const RayCrossing* begin, const RayCrossing* sample, const RayCrossing* end)
   {
     const std::uint32_t own = sheets_.of(sample->triangle);
-    const auto isNear = [&](const VotingCrossing& other) {
+    const auto isNear = [&](const RayCrossing& other) {
       return std::abs(double(other.level) - double(sample->level)) < near_;
     };
     close_.clear();
-    for (const VotingCrossing* c = sample; c != begin && isNear(c[-1]); --c)
+    for (const RayCrossing* c = sample; c != begin && isNear(c[-1]); --c)
     {
       close_.push_back(bodyOf(sheets_.of(c[-1].triangle)));
     }
-    for (const VotingCrossing* c = sample + 1; c != end && isNear(*c); ++c)
+    for (const RayCrossing* c = sample + 1; c != end && isNear(*c); ++c)
     {
       close_.push_back(bodyOf(sheets_.of(c->triangle)));
     }
@@ -194,10 +178,11 @@ RayParityVotes voteOnSheets(
   const Surface& surface, const ManifoldComponents& sheets, Execution& execution)
 {
   VoteCounter counter(surface, sheets);
-  std::array<std::vector<SampleRay>, 3> lines = findSampleRays(surface, sheets, execution);
-  for (int along = 0; along < 3; ++along)
+  const TriangleTree tree(surface, execution);
+  std::array<std::vector<SampleRay>, 3> rays = findSampleRays(surface, sheets, execution);
+  for (std::size_t along = 0; along < 3; ++along)
   {
-    counter.vote(along, lines[static_cast<std::size_t>(along)], execution);
+    counter.vote(along, rays[along], tree, execution);
   }
   return counter.takeVotes();
 }

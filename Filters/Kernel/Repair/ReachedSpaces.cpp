@@ -3,14 +3,11 @@
 
 #include "Repair/Arrangement.h"
 #include "Repair/ManifoldComponents.h"
-#include "Repair/TriangleTree.h"
 #include "Repair/WallsOfBodies.h"
-#include "Surface/LineCrossings.h"
 #include "Surface/Places.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace cartesian
 {
@@ -19,154 +16,6 @@ namespace
 {
 
 constexpr std::int32_t Sheets = regionOfSheets(FirstRegion, FirstRegion);
-
-// The sides of pieces, joined where they are next to the same space.
-class ReachedSides
-{
-public:
-  ReachedSides(const Surface& arranged, const std::vector<Piece>& pieces, Execution& execution)
-    : flat_(flatOf(arranged, pieces))
-    , sides_(joinedSides(flat_, execution))
-    , tree_(flat_, execution)
-    , far_(static_cast<std::uint32_t>(2 * pieces.size()))
-  {
-    sides_.add();
-    placeParts(execution);
-  }
-
-  // The space around everything.
-  std::uint32_t farAway() { return sides_.find(far_); }
-
-  std::uint32_t beside(std::uint32_t piece, bool front)
-  {
-    return sides_.find(sideOf(piece, front));
-  }
-
-  // The space at a place, on even levels.
-  std::uint32_t at(const Point& place)
-  {
-    std::vector<Crossing> crossings;
-    for (std::size_t along = 0; along < 3; ++along)
-    {
-      if (cross(along, place, crossings))
-      {
-        break;
-      }
-    }
-    std::uint32_t side = far_;
-    for (const Crossing& crossing : crossings)
-    {
-      side = crossing.level < crossing.of ? crossing.above() : side;
-    }
-    return sides_.find(side);
-  }
-
-private:
-  // Of a line and a piece.
-  struct Crossing
-  {
-    Level level;
-    std::uint32_t piece;
-    bool up;  // the piece's normal points along the line
-    Level of; // of the place whose line it is
-
-    std::uint32_t above() const { return sideOf(piece, up); }
-    std::uint32_t below() const { return sideOf(piece, !up); }
-
-    bool operator<(const Crossing& other) const
-    {
-      return level != other.level ? level < other.level : piece < other.piece;
-    }
-  };
-
-  // All crossings of the line through a place, in order; false where it is not sure which of two comes first.
-  bool cross(std::size_t along, const Point& place, std::vector<Crossing>& crossings) const
-  {
-    const RowAxes& axes = RowsAlong[along];
-    const std::vector<Level> middles{ place[static_cast<std::size_t>(axes.middle)] };
-    const std::vector<Level> outers{ place[static_cast<std::size_t>(axes.outer)] };
-    Vector low = toVector(place);
-    Vector high = low;
-    low[along] = 0;
-    high[along] = std::numeric_limits<Level>::max();
-    crossings.clear();
-    tree_.forEachWithin(low, high, [&](std::uint32_t piece) {
-      forEachLineCrossing(flat_.corners(piece), axes, middles, outers,
-        [&](std::size_t, std::size_t, const Point& p, bool up) {
-          crossings.push_back({ p[along], piece, up, place[along] });
-        });
-    });
-    std::sort(crossings.begin(), crossings.end());
-    return std::adjacent_find(crossings.begin(), crossings.end(),
-             [](const Crossing& a, const Crossing& b) { return a.level == b.level; }) ==
-      crossings.end();
-  }
-
-  // Joins what is next to each other along a line through a piece; false where that misses it, or is not sure.
-  bool joinAlongLine(std::uint32_t piece)
-  {
-    const std::array<Wide, 3> normal = exactNormal(flat_.corners(piece));
-    const auto size = [&](std::size_t a) { return normal[a] < 0 ? -normal[a] : normal[a]; };
-    std::size_t along = 0;
-    for (std::size_t axis = 1; axis < 3; ++axis)
-    {
-      along = size(axis) > size(along) ? axis : along;
-    }
-    Point place;
-    const Vector middle = middleOf(flat_, piece);
-    std::transform(middle.begin(), middle.end(), place.begin(),
-      [](double level) { return static_cast<Level>(level / 2) * 2; });
-    std::vector<Crossing> crossings;
-    if (!cross(along, place, crossings) ||
-      std::none_of(crossings.begin(), crossings.end(),
-        [&](const Crossing& crossing) { return crossing.piece == piece; }))
-    {
-      return false;
-    }
-    std::uint32_t before = far_;
-    for (const Crossing& crossing : crossings)
-    {
-      sides_.unite(before, crossing.below());
-      before = crossing.above();
-    }
-    sides_.unite(before, far_);
-    return true;
-  }
-
-  // Each part that shares edges, by a line through one of its largest pieces.
-  void placeParts(Execution& execution)
-  {
-    DisjointSets parts(flat_.triangles.size());
-    SurfaceEdges(flat_, execution)
-      .forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
-        for (const EdgeUse* use = begin + 1; use < end; ++use)
-        {
-          parts.unite(begin->triangle(), use->triangle());
-        }
-      });
-    std::vector<double> area(flat_.triangles.size());
-    for (std::uint32_t p = 0; p < area.size(); ++p)
-    {
-      const Corners c = flat_.corners(p);
-      area[p] = norm(cartesian::cross(minus(c[1], c[0]), minus(c[2], c[0])));
-    }
-    std::vector<std::uint32_t> order(area.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-      [&](std::uint32_t a, std::uint32_t b) { return area[a] > area[b]; });
-    std::vector<std::uint8_t> isPlaced(area.size());
-    for (const std::uint32_t piece : order)
-    {
-      std::uint8_t& is = isPlaced[parts.find(piece)];
-      is = is != 0 || joinAlongLine(piece) ? 1 : 0;
-    }
-  }
-
-  Surface flat_; // a triangle a piece
-  DisjointSets sides_;
-  TriangleTree tree_;
-  std::uint32_t far_;
-};
 
 // With all triangles as those of sheets, but those of the box, and baffles with the back's boundary on their backs. Those of
 // one part face the same way, baffles as they are given.
@@ -228,7 +77,7 @@ public:
       return {};
     }
     const std::vector<Piece> pieces = piecesOf(arranged_);
-    ReachedSides sides(arranged_, pieces, execution_);
+    JoinedSides sides(arranged_, pieces, execution_);
     std::map<std::uint32_t, bool> isFluid; // spaces that are reached
     for (const Point& point : spec_.points)
     {
@@ -287,9 +136,8 @@ private:
     {
       for (const std::uint32_t t : pieces[p].triangles)
       {
-        const Corners c = arranged_.corners(t);
-        const double area = norm(cross(minus(c[1], c[0]), minus(c[2], c[0])));
-        if (isOfBox(t) && isOnSeenSide(c) && area > most)
+        const double area = areaOf(arranged_, t);
+        if (isOfBox(t) && isOnSeenSide(arranged_.corners(t)) && area > most)
         {
           best = p;
           most = area;
@@ -319,7 +167,7 @@ private:
 
   // As bodies wind around them: the fluid is a body, or all else is where there is a box. What is far away on both sides of
   // a piece makes it one of the box.
-  Spaces spacesOf(const std::vector<Piece>& pieces, ReachedSides& sides,
+  Spaces spacesOf(const std::vector<Piece>& pieces, JoinedSides& sides,
     const std::map<std::uint32_t, bool>& isFluid)
   {
     const bool isBox = spec_.firstOfBox.has_value();

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/RimsOnWalls.h"
 
-#include "Lattice/NearestPlace.h"
 #include "Repair/BaffleRims.h"
-#include "Repair/ManifoldComponents.h"
-#include "Repair/OpenRims.h"
-#include "Repair/TriangleTree.h"
+#include "Repair/NearbyTriangles.h"
+#include "Repair/OpenPieces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace cartesian
@@ -20,33 +17,27 @@ namespace
 // Walls may bend away from an edge of a rim by this part of its length.
 constexpr double LargestSagitta = 0.25;
 
-struct Extent
+void include(const Vector& place, double aside, Bounds& bounds)
 {
-  Vector low{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
-  Vector high{ -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
-
-  void include(const Vector& place, double aside)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    bounds.include(axis, place[static_cast<std::size_t>(axis)] - aside);
+    bounds.include(axis, place[static_cast<std::size_t>(axis)] + aside);
+  }
+}
+
+bool meets(const Corners& c, const Bounds& bounds)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto [least, most] = std::minmax({ c[0][axis], c[1][axis], c[2][axis] });
+    if (double(most) < bounds.low[axis] || double(least) > bounds.high[axis])
     {
-      low[axis] = std::min(low[axis], place[axis] - aside);
-      high[axis] = std::max(high[axis], place[axis] + aside);
+      return false;
     }
   }
-
-  bool meets(const Corners& c) const
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const auto [least, most] = std::minmax({ c[0][axis], c[1][axis], c[2][axis] });
-      if (double(most) < low[axis] || double(least) > high[axis])
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-};
+  return true;
+}
 
 class RimsOnWalls
 {
@@ -55,79 +46,72 @@ public:
     : surface_(surface)
     , tolerance_(tolerance)
     , execution_(execution)
+    , pieces_(openPiecesOf(surface, {}, execution))
   {
-    const SurfaceEdges edges(surface, execution);
-    const ManifoldComponents parts(surface, edges, execution);
-    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+    for (std::size_t p = 0; p < pieces_.size(); ++p)
     {
-      partOf_[surface.given[t]] = parts.of(t);
-    }
-    for (const OpenEdge& edge : openEdgesOf(surface, execution))
-    {
-      rims_[parts.of(edge.triangle)].push_back({ edge.lower, edge.upper });
+      for (const std::uint32_t t : pieces_[p].triangles)
+      {
+        pieceOf_[surface.given[t]] = p;
+      }
     }
   }
 
   void run()
   {
     surface_.region.assign(surface_.triangles.size(), FirstRegion);
-    for (const std::uint32_t part : partsOnWalls())
+    for (const std::size_t piece : piecesOnWalls())
     {
-      join(part);
+      join(piece);
     }
     surface_.region.clear();
   }
 
 private:
-  // With a corner of a rim near another part.
-  std::vector<std::uint32_t> partsOnWalls() const
+  bool isOf(std::size_t piece, std::uint32_t given) const
   {
-    const TriangleTree tree(surface_, execution_);
-    std::vector<std::uint32_t> found;
-    for (const auto& [part, rim] : rims_)
+    const auto found = pieceOf_.find(given);
+    return found != pieceOf_.end() && found->second == piece;
+  }
+
+  // With a corner of a rim near something else.
+  std::vector<std::size_t> piecesOnWalls() const
+  {
+    const NearbyTriangles nearby(surface_, execution_);
+    std::vector<std::size_t> found;
+    for (std::size_t p = 0; p < pieces_.size(); ++p)
     {
-      const bool is = std::any_of(rim.begin(), rim.end(),
-        [&, own = part](const auto& edge) { return isNearOther(tree, own, edge[0]); });
-      if (is)
+      const auto isOnWall = [&](const auto& edge) {
+        return nearby.isAnyNear(toVector(surface_.vertices[edge[0]]), tolerance_,
+          [&](std::uint32_t t) { return !isOf(p, surface_.given[t]); });
+      };
+      if (std::any_of(pieces_[p].rim.begin(), pieces_[p].rim.end(), isOnWall))
       {
-        found.push_back(part);
+        found.push_back(p);
       }
     }
     return found;
   }
 
-  bool isNearOther(const TriangleTree& tree, std::uint32_t part, std::uint32_t vertex) const
+  // Divides the walls near the rims of a piece, and the piece.
+  void join(std::size_t piece)
   {
-    const Vector place = toVector(surface_.vertices[vertex]);
-    const Vector aside{ tolerance_, tolerance_, tolerance_ };
-    bool is = false;
-    tree.forEachWithin(minus(place, aside), plus(place, aside), [&](std::uint32_t t) {
-      is = is ||
-        (partOf_.at(surface_.given[t]) != part &&
-          norm(minus(nearestPlace(surface_.corners(t), place), place)) <= tolerance_);
-    });
-    return is;
-  }
-
-  // Divides the walls near the rims of a part, and the part.
-  void join(std::uint32_t part)
-  {
-    Extent extent;
-    for (const auto& [from, to] : rims_.at(part))
+    Bounds bounds = Bounds::none();
+    for (const auto& [from, to] : pieces_[piece].rim)
     {
       const Vector start = toVector(surface_.vertices[from]);
       const Vector end = toVector(surface_.vertices[to]);
       const double aside = tolerance_ + LargestSagitta * norm(minus(end, start));
-      extent.include(start, aside);
-      extent.include(end, aside);
+      include(start, aside, bounds);
+      include(end, aside, bounds);
     }
-    Surface walls = like(surface_);
-    Surface own = like(surface_);
-    Surface rest = like(surface_);
+    Surface walls = surface_.withoutTriangles();
+    Surface own = walls;
+    Surface rest = walls;
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
     {
-      const bool isOwn = partOf_.at(surface_.given[t]) == part;
-      const bool isNear = !isOwn && extent.meets(surface_.corners(t));
+      const bool isOwn = isOf(piece, surface_.given[t]);
+      const bool isNear = !isOwn && meets(surface_.corners(t), bounds);
       (isOwn ? own : (isNear ? walls : rest)).append(surface_, t);
     }
     if (walls.triangles.empty())
@@ -135,7 +119,6 @@ private:
       return;
     }
     joinRims(walls, own, { tolerance_, LargestSagitta }, execution_);
-    rest.vertices = walls.vertices;
     for (const Surface* from : { &walls, &own })
     {
       for (std::size_t t = 0; t < from->triangles.size(); ++t)
@@ -143,26 +126,15 @@ private:
         rest.append(*from, t);
       }
     }
-    surface_.vertices.swap(rest.vertices);
-    surface_.triangles.swap(rest.triangles);
-    surface_.boundary.swap(rest.boundary);
-    surface_.given.swap(rest.given);
-    surface_.region.swap(rest.region);
-  }
-
-  static Surface like(const Surface& surface)
-  {
-    Surface empty;
-    empty.lattice = surface.lattice;
-    empty.vertices = surface.vertices;
-    return empty;
+    surface_.vertices.swap(walls.vertices);
+    surface_.takeTriangles(rest);
   }
 
   Surface& surface_;
   double tolerance_;
   Execution& execution_;
-  std::map<std::uint32_t, std::uint32_t> partOf_; // by the triangle's number in the view
-  std::map<std::uint32_t, std::vector<std::array<std::uint32_t, 2>>> rims_; // of open parts
+  std::vector<OpenPiece> pieces_;
+  std::map<std::uint32_t, std::size_t> pieceOf_; // by the triangle's number in the view
 };
 
 }

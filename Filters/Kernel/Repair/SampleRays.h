@@ -4,6 +4,8 @@
 
 #include "Repair/ManifoldComponents.h"
 
+#include <tuple>
+
 namespace cartesian
 {
 
@@ -11,8 +13,7 @@ namespace cartesian
 // many, the last ones are dropped.
 struct SampleRay
 {
-  Level middle;
-  Level outer;
+  Point place;                           // on even levels, 0 along the line
   std::size_t rank;                      // of the triangle in its sheet: 0 for the largest
   Wide area;                             // twice the triangle's area, projected along the line
   std::uint32_t sheet;                   // that the triangle is of
@@ -20,9 +21,9 @@ struct SampleRay
 
   bool operator<(const SampleRay& other) const
   {
-    return rank != other.rank ? rank < other.rank
-                              : std::make_tuple(other.area, triangle, middle, outer) <
-        std::make_tuple(area, other.triangle, other.middle, other.outer);
+    return rank != other.rank
+      ? rank < other.rank
+      : std::tie(other.area, triangle, place) < std::tie(area, other.triangle, other.place);
   }
 };
 

@@ -14,9 +14,7 @@ namespace
 // The first triangle of each pair; Surface::given is the pair's number.
 Surface takeFirsts(const Surface& surface, const std::vector<SheetPair>& sheets)
 {
-  Surface firsts;
-  firsts.lattice = surface.lattice;
-  firsts.vertices = surface.vertices;
+  Surface firsts = surface.withoutTriangles();
   for (std::uint32_t p = 0; p < sheets.size(); ++p)
   {
     firsts.append(surface, sheets[p][0]);
@@ -33,10 +31,7 @@ Surface takeOthers(const Surface& surface, const std::vector<SheetPair>& sheets)
   {
     isTaken[pair[0]] = isTaken[pair[1]] = 1;
   }
-  Surface others;
-  others.lattice = surface.lattice;
-  others.rounding = surface.rounding;
-  others.vertices = surface.vertices;
+  Surface others = surface.withoutTriangles();
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
     if (isTaken[t] == 0)
@@ -74,15 +69,13 @@ bool joinRimsOfSheets(Surface& surface, const std::vector<SheetPair>& sheets, Ex
     }
   }
   joined.ofSheet.resize(joined.triangles.size(), 1);
-  surface.vertices.swap(joined.vertices);
-  surface.triangles.swap(joined.triangles);
-  surface.boundary.swap(joined.boundary);
-  surface.given.swap(joined.given);
-  surface.ofSheet.swap(joined.ofSheet);
-  if (!surface.region.empty())
+  if (surface.region.empty())
   {
-    surface.region.swap(joined.region);
+    joined.region.clear();
   }
+  surface.vertices.swap(joined.vertices);
+  surface.takeTriangles(joined);
+  surface.ofSheet.swap(joined.ofSheet);
   return true;
 }
 

@@ -1,42 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The spaces into which triangles that do not cross divide the whole space.
+// The spaces into which triangles of closed bodies that do not cross divide the whole space, and how bodies wind around them.
 //
-// Around each edge, what is between two neighbouring triangles is one space: so the sides of triangles are joined
-// edge by edge. Neighbours are found by exact orientation, and how closed bodies wind around a space follows from any
-// other space across the triangles between (as libigl extracts cells and propagates winding numbers). Of each
-// connected part one line decides how the others wind around it.
+// Nothing winds around what is far away; across the triangles between, that follows for any other space (as libigl extracts
+// cells and propagates winding numbers).
 #pragma once
 
-#include "Base/DisjointSets.h"
-#include "Surface/SurfaceEdges.h"
+#include "Repair/JoinedSides.h"
 
 namespace cartesian
 {
-
-// Triangles of the same three vertices.
-struct Piece
-{
-  std::array<std::uint32_t, 3> vertices; // as the first of its triangles has them
-  std::vector<std::uint32_t> triangles;  // of one body after the other
-};
-
-// Whether two triangles of the same vertices have the same normal.
-bool faceAlike(const std::array<std::uint32_t, 3>& a, const std::array<std::uint32_t, 3>& b);
-
-// Of triangles with an area, by body (Surface::region).
-std::vector<Piece> piecesOf(const Surface& surface);
-
-// Of a side of a piece, by its number.
-constexpr std::uint32_t sideOf(std::uint32_t piece, bool front)
-{
-  return 2 * piece + (front ? 1 : 0);
-}
-
-// One triangle of each piece, in order.
-Surface flatOf(const Surface& surface, const std::vector<Piece>& pieces);
-
-// The sides of pieces, joined where the same space is next to both at an edge.
-DisjointSets joinedSides(const Surface& flat, Execution& execution);
 
 struct Spaces
 {

@@ -14,27 +14,6 @@ namespace cartesian
 namespace
 {
 
-std::vector<DroppedTriangle> dropLoose(Surface& surface, const SurfaceEdges& edges)
-{
-  std::vector<std::uint8_t> openEdges(surface.triangles.size());
-  edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
-    if (end - begin == 1)
-    {
-      ++openEdges[begin->triangle()];
-    }
-  });
-  std::vector<DroppedTriangle> dropped;
-  for (std::uint32_t t = 0; t < openEdges.size(); ++t)
-  {
-    if (openEdges[t] == 3)
-    {
-      dropped.push_back({ t, surface.triangles[t] });
-      surface.triangles[t].fill(surface.triangles[t][0]);
-    }
-  }
-  return dropped;
-}
-
 // Of the triangles that are not dropped, nor of sheets.
 std::size_t turnedSince(
   const std::vector<std::array<std::uint32_t, 3>>& before, const Surface& surface)
@@ -144,6 +123,27 @@ std::size_t SurfaceRepair::leaks() const
 bool SurfaceRepair::areTouching(const TrianglePair& pair) const
 {
   return !touching.empty() && touching[pair.first] != 0 && touching[pair.second] != 0;
+}
+
+std::vector<DroppedTriangle> dropLoose(Surface& surface, const SurfaceEdges& edges)
+{
+  std::vector<std::uint8_t> openEdges(surface.triangles.size());
+  edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
+    if (end - begin == 1)
+    {
+      ++openEdges[begin->triangle()];
+    }
+  });
+  std::vector<DroppedTriangle> dropped;
+  for (std::uint32_t t = 0; t < openEdges.size(); ++t)
+  {
+    if (openEdges[t] == 3)
+    {
+      dropped.push_back({ t, surface.triangles[t] });
+      surface.triangles[t].fill(surface.triangles[t][0]);
+    }
+  }
+  return dropped;
 }
 
 SurfaceRepair closeAndOrient(

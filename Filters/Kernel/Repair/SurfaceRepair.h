@@ -48,6 +48,9 @@ struct RepairSpec
   MeshedSide meshed = MeshedSide::Inside;
 };
 
+// Triangles that share no edge with another: they enclose nothing, and collapse into a point.
+std::vector<DroppedTriangle> dropLoose(Surface& surface, const SurfaceEdges& edges);
+
 // Afterwards every line enters each component as often as it leaves it, or at least crosses it an
 // even number of times (Surface::byParity). Triangles keep their numbers: dropped ones collapse
 // into a point, those that close holes are appended. A flawless surface whose normals point outward

@@ -70,6 +70,17 @@ private:
   Vector size_; // sum of the magnitudes of the normal's terms
 };
 
+// Along which a triangle's projection is the largest, the first of equal ones.
+inline std::size_t axisOfNormal(const Corners& triangle)
+{
+  std::array<Wide, 3> size = exactNormal(triangle);
+  for (Wide& s : size)
+  {
+    s = s < 0 ? -s : s;
+  }
+  return static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+}
+
 // Along which a triangle's projection is about the largest, the same for all that are nearly parallel; -1: it has no
 // area.
 inline int axisAcross(const Corners& triangle)

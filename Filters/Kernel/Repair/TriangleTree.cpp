@@ -25,12 +25,6 @@ std::uint64_t spread(std::uint64_t level)
   return x;
 }
 
-bool hasArea(const Corners& corners)
-{
-  const std::array<Wide, 3> normal = exactNormal(corners);
-  return normal[0] != 0 || normal[1] != 0 || normal[2] != 0;
-}
-
 // A triangle's place on the space-filling curve: the Morton code of the centre of its bounds.
 struct CurvePlace
 {
@@ -54,33 +48,42 @@ std::uint64_t codeOf(const Corners& c)
   return code;
 }
 
-// The triangles that have an area, along the curve.
-std::vector<CurvePlace> sortAlongCurve(const Surface& surface, Execution& execution)
+std::vector<std::uint32_t> allWithArea(const Surface& surface, Execution& execution)
 {
   const std::size_t count = surface.triangles.size();
-  std::vector<std::vector<CurvePlace>> parts(chunks(count, NodesAChunk));
+  std::vector<std::vector<std::uint32_t>> parts(chunks(count, NodesAChunk));
   execution.forEach(count, NodesAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
     {
-      const Corners corners = surface.corners(t);
-      if (hasArea(corners))
+      if (exactNormal(surface.corners(t)) != std::array<Wide, 3>{ 0, 0, 0 })
       {
-        parts[begin / NodesAChunk].push_back({ codeOf(corners), static_cast<std::uint32_t>(t) });
+        parts[begin / NodesAChunk].push_back(static_cast<std::uint32_t>(t));
       }
     }
   });
-  std::vector<CurvePlace> places = concatenated(parts);
-  sortAll(places, execution);
-  return places;
+  return concatenated(parts);
 }
 
 }
 
 TriangleTree::TriangleTree(const Surface& surface, Execution& execution)
+  : TriangleTree(surface, allWithArea(surface, execution), execution)
 {
-  const std::vector<CurvePlace> places = sortAlongCurve(surface, execution);
+}
+
+TriangleTree::TriangleTree(
+  const Surface& surface, std::vector<std::uint32_t> triangles, Execution& execution)
+  : order_(std::move(triangles))
+{
+  std::vector<CurvePlace> places(order_.size());
+  execution.forEach(places.size(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      places[i] = { codeOf(surface.corners(order_[i])), order_[i] };
+    }
+  });
+  sortAll(places, execution);
   levels_.emplace_back(places.size());
-  order_.resize(places.size());
   execution.forEach(places.size(), NodesAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {

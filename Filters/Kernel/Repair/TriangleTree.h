@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A bounding volume hierarchy of the triangles that have an area: which of them are near each other?
+// A bounding volume hierarchy of triangles: which of them are near each other, or a place?
 //
 // Triangles are sorted along a space-filling curve (Morton order); a node of height h holds 2^h
 // consecutive ones. The tree depends on the geometry only, except that ties are broken by the
@@ -19,7 +19,11 @@ namespace cartesian
 class TriangleTree
 {
 public:
+  // Of those that have an area.
   TriangleTree(const Surface& surface, Execution& execution);
+
+  // Of some, whether or not they have an area.
+  TriangleTree(const Surface& surface, std::vector<std::uint32_t> triangles, Execution& execution);
 
   std::size_t size() const { return order_.size(); }
   std::uint32_t triangle(std::size_t place) const { return order_[place]; }

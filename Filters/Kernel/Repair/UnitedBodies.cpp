@@ -2,11 +2,10 @@
 #include "Repair/UnitedBodies.h"
 
 #include "Repair/Arrangement.h"
+#include "Repair/RayCrossings.h"
 #include "Repair/Snapping.h"
 #include "Repair/TrianglePairs.h"
-#include "Repair/TriangleTree.h"
 #include "Surface/Components.h"
-#include "Surface/LineCrossings.h"
 #include "Surface/Places.h"
 
 #include <map>
@@ -53,39 +52,6 @@ Surface withFlatSheets(const Surface& surface, const std::vector<DroppedTriangle
   result.region.resize(kept);
   result.given.resize(given);
   return result;
-}
-
-// Some triangles of a surface, in order, with the vertices that they use.
-Surface partOf(const Surface& surface, const std::vector<std::uint32_t>& triangles)
-{
-  Surface part;
-  part.lattice = surface.lattice;
-  part.rounding = surface.rounding;
-  std::map<std::uint32_t, std::uint32_t> number;
-  for (const std::uint32_t t : triangles)
-  {
-    for (const std::uint32_t v : surface.triangles[t])
-    {
-      number.emplace(v, 0);
-    }
-  }
-  for (auto& [v, n] : number)
-  {
-    n = static_cast<std::uint32_t>(part.vertices.size());
-    part.vertices.push_back(surface.vertices[v]);
-  }
-  for (const std::uint32_t t : triangles)
-  {
-    const auto& c = surface.triangles[t];
-    part.triangles.push_back({ number.at(c[0]), number.at(c[1]), number.at(c[2]) });
-    part.boundary.push_back(surface.boundary[t]);
-    part.region.push_back(surface.region[t]);
-    if (t < surface.given.size())
-    {
-      part.given.push_back(surface.given[t]);
-    }
-  }
-  return part;
 }
 
 // Joins surfaces. Where vertices of two are at the same place, they are the same.
@@ -337,26 +303,17 @@ private:
   // How often the other groups wind around one, by the line to one of its vertices.
   std::int32_t around(std::uint32_t root)
   {
-    const Point& place = surface_.vertices[root];
-    const Level y = place[1] / 2 * 2;
-    const Level z = place[2] / 2 * 2;
-    const Vector low{ 0, double(y), double(z) };
-    const Vector high{ double(place[0]), double(y), double(z) };
+    const Point& at = surface_.vertices[root];
     Winding winding;
-    tree_.forEachWithin(low, high, [&](std::uint32_t t) {
-      if (groups_.find(surface_.triangles[t][0]) == root)
+    for (const RayCrossing& crossing :
+      crossingsOf(surface_, tree_, 0, { at[0], at[1] / 2 * 2, at[2] / 2 * 2 }))
+    {
+      const std::uint32_t t = crossing.triangle;
+      if (crossing.level < at[0] && groups_.find(surface_.triangles[t][0]) != root)
       {
-        return;
+        winding.add(surface_.crossing(t, crossing.up));
       }
-      const Corners corners = surface_.corners(t);
-      forEachLineCrossing(corners, RowsAlong[0], { y }, { z },
-        [&](std::size_t, std::size_t, const Point& p, bool up) {
-          if (p[0] < place[0])
-          {
-            winding.add(surface_.crossing(t, up));
-          }
-        });
-    });
+    }
     return winding.turns + (winding.odd ? 1 : 0);
   }
 

@@ -20,6 +20,13 @@ inline Vector middleOf(const Surface& surface, std::size_t triangle)
   return sum;
 }
 
+// Of a triangle, in levels squared.
+inline double areaOf(const Surface& surface, std::size_t triangle)
+{
+  const Corners c = surface.corners(triangle);
+  return norm(cross(minus(c[1], c[0]), minus(c[2], c[0]))) / 2;
+}
+
 // A place in levels, as the user knows it: "(x, y, z)".
 inline std::string placeOf(const Surface& surface, const Vector& levels)
 {

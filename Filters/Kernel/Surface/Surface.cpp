@@ -355,6 +355,41 @@ Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& ex
   return surface;
 }
 
+Surface partOf(const Surface& surface, const std::vector<std::uint32_t>& triangles)
+{
+  std::vector<std::uint32_t> used;
+  for (const std::uint32_t t : triangles)
+  {
+    used.insert(used.end(), surface.triangles[t].begin(), surface.triangles[t].end());
+  }
+  used = sortedUnique(std::move(used));
+  Surface part;
+  part.lattice = surface.lattice;
+  part.rounding = surface.rounding;
+  for (const std::uint32_t v : used)
+  {
+    part.vertices.push_back(surface.vertices[v]);
+  }
+  for (const std::uint32_t t : triangles)
+  {
+    part.triangles.push_back(surface.triangles[t]);
+    for (std::uint32_t& v : part.triangles.back())
+    {
+      v = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+    }
+    part.boundary.push_back(surface.boundary[t]);
+    if (!surface.region.empty())
+    {
+      part.region.push_back(surface.region[t]);
+    }
+    if (t < surface.given.size())
+    {
+      part.given.push_back(surface.given[t]);
+    }
+  }
+  return part;
+}
+
 double areaOf(const Surface& surface)
 {
   double twice = 0;

@@ -91,6 +91,25 @@ struct Surface
                                                        : Known::Nothing;
   }
 
+  // On the same lattice, with the same vertices.
+  Surface withoutTriangles() const
+  {
+    Surface empty;
+    empty.lattice = lattice;
+    empty.rounding = rounding;
+    empty.vertices = vertices;
+    return empty;
+  }
+
+  // Those of another surface instead, with what is known of each; not whether they are of sheets.
+  void takeTriangles(Surface& from)
+  {
+    triangles.swap(from.triangles);
+    boundary.swap(from.boundary);
+    given.swap(from.given);
+    region.swap(from.region);
+  }
+
   // With a triangle of another surface of the same vertices, which has a number in the view and a region.
   void append(const Surface& from, std::size_t triangle)
   {
@@ -118,6 +137,9 @@ struct Surface
 // in order of their places, each triangle starts from its lowest vertex, and triangles are in order of their
 // vertices: nothing later depends on the order in which the view lists them, down to the rounding of sums.
 Surface onLattice(const SurfaceView& view, const Lattice& lattice, Execution& execution);
+
+// Some triangles of a surface, in their order, with the vertices that they use.
+Surface partOf(const Surface& surface, const std::vector<std::uint32_t>& triangles);
 
 // The user's number of each triangle, or -1: it closes a hole. `cells`: of the view's triangles.
 template <class Id>
