@@ -110,7 +110,7 @@ public:
   }
 
 private:
-  Reach reachOfKeptOut(ReachedSides& sides, const std::map<std::uint32_t, bool>& isFluid) const
+  Reach reachOfKeptOut(JoinedSides& sides, const std::map<std::uint32_t, bool>& isFluid) const
   {
     for (std::size_t i = 0; i < spec_.keepOut.size(); ++i)
     {
