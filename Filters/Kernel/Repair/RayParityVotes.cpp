@@ -15,10 +15,11 @@ namespace
 
 // Of lines with triangles in all. Beyond that, the lines of small triangles have no vote: millions of large triangles that
 // all overlap would take days.
-constexpr std::size_t MostCrossings = 5000000;
+constexpr std::size_t MostCrossings = 2500000;
 
-// Followed at once on all threads; then twice as many each time.
-constexpr std::size_t FirstRays = 64;
+// Followed at once on all threads: at first, and at the most.
+constexpr std::size_t FirstRays = 16;
+constexpr std::size_t MostRays = 1024;
 
 class VoteCounter
 {
@@ -39,10 +40,11 @@ public:
   {
     std::sort(rays.begin(), rays.end());
     std::size_t crossed = 0;
-    std::size_t count = FirstRays;
-    for (std::size_t first = 0; first < rays.size() && crossed < MostCrossings; first += count / 2)
+    std::vector<std::vector<RayCrossing>> crossings;
+    for (std::size_t first = 0; first < rays.size() && crossed < MostCrossings;
+         first += crossings.size())
     {
-      std::vector<std::vector<RayCrossing>> crossings(std::min(count, rays.size() - first));
+      crossings.resize(std::min({ std::max(first, FirstRays), MostRays, rays.size() - first }));
       execution.forEach(crossings.size(), 1, [&](std::size_t i, std::size_t) {
         crossings[i] = crossingsOf(surface_, tree, along, rays[first + i].place);
       });
@@ -52,7 +54,6 @@ public:
         countLine(all.data(), all.data() + all.size(), rays[first + i].sheet);
         crossed += all.size();
       }
-      count *= 2;
     }
   }
 
