@@ -138,14 +138,16 @@ public:
       dot(meanNormal(s), meanNormal(t)) <= -std::cos(radians(MostLean));
   }
 
-  // In the mean around a place, of triangles that do not lean much from one.
-  Vector normalAround(const Vector& place, std::uint32_t own, double mostLean = MostLean) const
+  // In the mean around a place, of triangles of the same part that do not lean more from one than this, in degrees.
+  Vector normalAround(const Vector& place, std::uint32_t own, double mostLean = MostLean,
+    const std::vector<std::int32_t>& parts = {}) const
   {
     const double least = std::cos(radians(mostLean));
     Vector sum{};
     const Box box = boxAround(place, place, tolerance_);
     tree_.forEachWithin(box.low, box.high, [&](std::uint32_t t) {
-      if (surface_.region[t] == surface_.region[own] && dot(normals_[t], normals_[own]) >= least)
+      if (surface_.region[t] == surface_.region[own] && dot(normals_[t], normals_[own]) >= least &&
+        (parts.empty() || parts[t] == parts[own]))
       {
         sum = plus(sum, areaVectorOf(surface_.corners(t)));
       }
@@ -202,11 +204,13 @@ class Curtains
 {
 public:
   // `into`: how far beyond what hang() asks for.
-  Curtains(const Neighbours& neighbours, Surface& surface, double tolerance, double into)
+  Curtains(const Neighbours& neighbours, Surface& surface, double tolerance, double into,
+    const std::vector<std::int32_t>& parts)
     : neighbours_(neighbours)
     , surface_(surface)
     , step_(tolerance / 4)
     , into_(into)
+    , parts_(parts)
   {
   }
 
@@ -236,7 +240,9 @@ public:
     for (auto& [key, rim] : rims_)
     {
       const Vector place = toVector(surface_.vertices[key.first]);
-      rim.way = directionsAlong(rim.beside, neighbours_.normalAround(place, rim.own)).back();
+      rim.way =
+        directionsAlong(rim.beside, neighbours_.normalAround(place, rim.own, MostLean, parts_))
+          .back();
     }
     for (const Curtain& curtain : planned_)
     {
@@ -296,8 +302,9 @@ private:
 
   const Neighbours& neighbours_;
   Surface& surface_;
-  double step_; // along edges
-  double into_; // how far curtains reach beyond
+  double step_;                            // along edges
+  double into_;                            // how far curtains reach beyond
+  const std::vector<std::int32_t>& parts_; // of triangles
   std::vector<Curtain> planned_;
   std::map<std::pair<std::uint32_t, std::int32_t>, Rim> rims_; // at vertices
 };
@@ -365,7 +372,8 @@ public:
 private:
   void findCuts()
   {
-    Curtains curtains(neighbours_, surface_, tolerance_, 0);
+    const std::vector<std::int32_t> allOne;
+    Curtains curtains(neighbours_, surface_, tolerance_, 0, allOne);
     std::map<std::uint32_t, std::vector<std::uint32_t>> faced; // of each triangle with a curtain
     for (const Neighbours::Edge& edge : neighbours_.edges())
     {
@@ -485,7 +493,7 @@ public:
   OpenedContacts open(std::int32_t regions, double into)
   {
     findFacing();
-    Curtains curtains(neighbours_, surface_, tolerance_, into * tolerance_);
+    Curtains curtains(neighbours_, surface_, tolerance_, into * tolerance_, facing_);
     for (const Neighbours::Edge& edge : neighbours_.edges())
     {
       for (std::size_t i = 0; i < 2; ++i)
@@ -558,8 +566,11 @@ private:
       {
         const auto beside = beside_.find(
           { surface_.triangles[t][i], static_cast<std::uint32_t>(surface_.region[t]) });
-        ways = directionsAlong(beside == beside_.end() ? std::vector<Vector>() : beside->second,
-          neighbours_.normalAround(corner, t));
+        const std::vector<Vector> planes =
+          beside == beside_.end() ? std::vector<Vector>() : beside->second;
+        ways = directionsAlong(planes, neighbours_.normalAround(corner, t));
+        const std::vector<Vector> own = directionsAlong(planes, neighbours_.normal(t));
+        ways.insert(ways.end(), own.begin(), own.end());
       }
       const Vector place = plus(corner, scaled(minus(middle, corner), Inward));
       Faced faced;
