@@ -114,6 +114,21 @@ std::string describeCracks(const PreparedSurface& prepared)
     placeOf(prepared.surface, widest->ends[0]) + ".";
 }
 
+std::string describeContacts(const PreparedSurface& prepared)
+{
+  const double step = prepared.surface.lattice.step();
+  std::string text;
+  for (const ClosedContact& contact : prepared.contacts)
+  {
+    text += std::string(lineBreak(text)) + "Walls of regions " + contact.names[0] + " and " +
+      contact.names[1] + " at most " + number(contact.width * step) + " apart became one: region " +
+      contact.names[1] + " got about " + number(contact.closed * step * step * step) +
+      " of volume in gaps and lost about " + number(contact.taken * step * step * step) +
+      " where both overlapped.";
+  }
+  return text;
+}
+
 std::string describeRefused(const PreparedSurface& prepared)
 {
   constexpr std::size_t MostPlaces = 5;
@@ -428,6 +443,10 @@ std::string describeFlaws(const PreparedSurface& prepared, const std::vector<Id>
   if (const std::string cracks = describeCracks(prepared); !cracks.empty())
   {
     text += lineBreak(text) + cracks;
+  }
+  if (const std::string contacts = describeContacts(prepared); !contacts.empty())
+  {
+    text += lineBreak(text) + contacts;
   }
   if (!repair.loose.empty())
   {

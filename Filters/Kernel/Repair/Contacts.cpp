@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/Contacts.h"
 
-#include "Base/DisjointSets.h"
-#include "Base/Rings.h"
-#include "Repair/EdgePoints.h"
+#include "Lattice/NearestPlace.h"
+#include "Repair/Arrangement.h"
+#include "Repair/Curtains.h"
 #include "Repair/NearbyTriangles.h"
-#include "Surface/SurfaceEdges.h"
+#include "Repair/SpaceOwners.h"
+#include "Repair/TrianglePairs.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
+#include <numeric>
 #include <set>
 
 namespace cartesian
@@ -18,551 +17,508 @@ namespace cartesian
 namespace
 {
 
-// Between triangles of one sheet, and of walls that face each other, in degrees.
-constexpr double SharpAngle = 45;
-constexpr double FacingAngle = 60;
+// By the tolerance: how far one looks for another wall along a normal, which may lean.
+constexpr double Reach = 1.5;
 
-// Triangles less high than this, in levels, lie along the rim; flips that get rid of all of them.
-constexpr double Flat = 8;
-constexpr int MostFlips = 16;
+// Walls that end so close beside each other end together.
+constexpr double Beside = 0.05;
 
-// A place on an edge that is nearer to an end than this part of the edge is the end.
-constexpr double AtEnd = 0.01;
+// How far curtains reach into the other region: in turn, where some still cross, or walls do not close.
+constexpr std::array<double, 4> Into{ 0.1, 0.03, 0.3, 1 };
 
-using Triangles = std::vector<std::uint32_t>;
-using Loop = std::vector<std::uint32_t>; // vertices
+// Places of a triangle are so far from its corners, as a part of the way to its middle: not on rims.
+constexpr double Inward = 0.02;
+
+// In levels: places this close are in a triangle, and at the tolerance.
+constexpr double Slack = 4;
+
 using Triple = std::array<std::uint32_t, 3>;
 
-// One pair of regions.
-class ContactCloser
+void append(const Surface& from, std::size_t like, const Triple& triangle, Surface& to)
+{
+  to.append(from, like);
+  to.triangles.back() = triangle;
+}
+
+// Divides walls of later regions along strips on the borders of walls that they face.
+class WallDivider
 {
 public:
-  ContactCloser(Surface& surface, std::int32_t earlier, std::int32_t later, double tolerance,
-    Execution& execution)
+  WallDivider(Surface& surface, double tolerance, Execution& execution)
     : surface_(surface)
-    , earlier_(earlier)
-    , later_(later)
+    , neighbours_(surface, tolerance, execution)
     , tolerance_(tolerance)
-    , execution_(execution)
   {
   }
 
-  // Closes the first contact that can be closed; false if there is none.
-  bool closeOne(ClosedContact& contact)
+  void divide(std::int32_t regions, Execution& execution)
   {
-    findSheets();
-    matchSheets();
-    return std::any_of(groups_.begin(), groups_.end(),
-      [&](const auto& group) { return close(group.second, contact); });
+    findCuts();
+    Surface divided;
+    divided.vertices = surface_.vertices;
+    for (std::int32_t region = FirstRegion; region <= regions; ++region)
+    {
+      Surface own;
+      own.lattice = surface_.lattice;
+      own.rounding = surface_.rounding;
+      own.vertices.swap(divided.vertices);
+      for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
+      {
+        if (surface_.region[t] == region)
+        {
+          own.append(surface_, t);
+        }
+      }
+      if (!cuts_[region].empty())
+      {
+        for (const Triple& cut : cuts_[region])
+        {
+          append(own, 0, cut, own);
+          own.region.back() = OutsideRegion;
+        }
+        arrange(own, execution);
+      }
+      divided.vertices.swap(own.vertices);
+      for (std::size_t t = 0; t < own.triangles.size(); ++t)
+      {
+        if (own.region[t] == region)
+        {
+          divided.append(own, t);
+        }
+      }
+    }
+    surface_.vertices.swap(divided.vertices);
+    surface_.triangles.swap(divided.triangles);
+    surface_.boundary.swap(divided.boundary);
+    surface_.given.swap(divided.given);
+    surface_.region.swap(divided.region);
   }
 
 private:
-  // Sheets that face each other.
-  struct Group
+  void findCuts()
   {
-    std::array<Triangles, 2> of; // of the earlier and the later region
-    double width = 0;
-  };
-
-  std::size_t sideOf(std::uint32_t t) const { return surface_.region[t] == later_ ? 1 : 0; }
-  bool isConcerned(std::uint32_t t) const
-  {
-    return surface_.region[t] == earlier_ || surface_.region[t] == later_;
-  }
-
-  Vector normalOf(std::uint32_t t) const
-  {
-    const Corners c = surface_.corners(t);
-    return unit(cross(minus(c[1], c[0]), minus(c[2], c[0])));
-  }
-
-  // Numbers each triangle's sheet.
-  void findSheets()
-  {
-    const double most = std::cos(radians(SharpAngle));
-    DisjointSets sets(surface_.triangles.size());
-    SurfaceEdges(surface_, execution_)
-      .forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
-        for (const std::int32_t region : { earlier_, later_ })
+    const std::vector<std::int32_t> allOne;
+    Curtains curtains(neighbours_, surface_, tolerance_, 0, allOne);
+    std::map<std::uint32_t, std::vector<std::uint32_t>> faced; // of each triangle with a curtain
+    for (const Neighbours::Edge& edge : neighbours_.edges())
+    {
+      if (neighbours_.isSharp(edge))
+      {
+        const std::array<std::vector<std::uint32_t>, 2> both{ laterWallsNear(edge, 0),
+          laterWallsNear(edge, 1) };
+        for (std::size_t i = 0; i < 2; ++i)
         {
-          Triangles uses;
-          for (const EdgeUse* use = begin; use != end; ++use)
+          if (!both[i].empty() && both[1 - i].empty())
           {
-            if (surface_.region[use->triangle()] == region)
-            {
-              uses.push_back(use->triangle());
-            }
-          }
-          if (uses.size() == 2 && dot(normalOf(uses[0]), normalOf(uses[1])) >= most)
-          {
-            sets.unite(uses[0], uses[1]);
+            const std::uint32_t own = edge.triangles[i];
+            curtains.plan(edge, own, edge.triangles[1 - i], surface_.region[both[i][0]]);
+            faced[own].insert(faced[own].end(), both[i].begin(), both[i].end());
           }
         }
-      });
-    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
-    {
-      if (isConcerned(t))
-      {
-        sheets_[sets.find(t)].push_back(t);
       }
     }
-  }
-
-  // Puts sheets that face each other all over together.
-  void matchSheets()
-  {
-    std::array<Triangles, 2> all;
-    std::map<std::uint32_t, std::uint32_t> sheetOf;
-    for (const auto& [sheet, triangles] : sheets_)
-    {
-      for (const std::uint32_t t : triangles)
-      {
-        all[sideOf(t)].push_back(t);
-        sheetOf[t] = sheet;
-      }
-    }
-    const std::array<NearbyTriangles, 2> nearby{ NearbyTriangles(surface_, all[0], tolerance_),
-      NearbyTriangles(surface_, all[1], tolerance_) };
-    DisjointSets sets(surface_.triangles.size());
-    std::set<std::uint32_t> unmatched;
-    std::map<std::uint32_t, double> width;
-    for (const auto& [sheet, triangles] : sheets_)
-    {
-      for (const std::uint32_t t : triangles)
-      {
-        for (const Vector& place : placesOf(t))
-        {
-          const auto found = facing(nearby[1 - sideOf(t)], t, place);
-          if (found.triangle == NearbyTriangles::None)
-          {
-            unmatched.insert(sheet);
-            break;
-          }
-          sets.unite(sheet, sheetOf[found.triangle]);
-          width[sheet] = std::max(width[sheet], found.distance);
-        }
-        if (unmatched.count(sheet) > 0)
-        {
-          break;
-        }
-      }
-    }
-    std::set<std::uint32_t> open;
-    for (const std::uint32_t sheet : unmatched)
-    {
-      open.insert(sets.find(sheet));
-    }
-    for (const auto& [sheet, triangles] : sheets_)
-    {
-      if (open.count(sets.find(sheet)) == 0)
-      {
-        Group& group = groups_[sets.find(sheet)];
-        Triangles& side = group.of[sideOf(triangles.front())];
-        side.insert(side.end(), triangles.begin(), triangles.end());
-        group.width = std::max(group.width, width[sheet]);
-      }
-    }
-  }
-
-  // Corners, and the middle.
-  std::array<Vector, 4> placesOf(std::uint32_t t) const
-  {
-    const Corners c = surface_.corners(t);
-    std::array<Vector, 4> places{ toVector(c[0]), toVector(c[1]), toVector(c[2]), {} };
-    places[3] = scaled(plus(places[0], plus(places[1], places[2])), 1. / 3);
-    return places;
-  }
-
-  NearbyTriangles::Nearest facing(
-    const NearbyTriangles& others, std::uint32_t t, const Vector& place) const
-  {
-    const double least = -std::cos(radians(FacingAngle));
-    const Vector normal = normalOf(t);
-    return others.find(
-      place, [&](std::uint32_t other) { return dot(normal, normalOf(other)) <= least; });
-  }
-
-  // The borders of a part of a surface, along its triangles; none where it touches itself there.
-  bool findLoops(const Triangles& part, std::vector<Loop>& loops) const
-  {
-    std::set<std::array<std::uint32_t, 2>> edges;
-    for (const std::uint32_t t : part)
-    {
-      const auto& c = surface_.triangles[t];
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        const std::uint32_t p = c[i];
-        const std::uint32_t q = following(c, i);
-        if (edges.erase({ q, p }) == 0)
-        {
-          edges.insert({ p, q });
-        }
-      }
-    }
-    std::map<std::uint32_t, std::uint32_t> next;
-    for (const auto& [from, to] : edges)
-    {
-      if (!next.emplace(from, to).second)
-      {
-        return false;
-      }
-    }
-    while (!next.empty())
-    {
-      Loop loop;
-      for (auto at = next.begin(); at != next.end(); at = next.find(loop.back()))
-      {
-        loop.push_back(at->second);
-        next.erase(at);
-      }
-      loops.push_back(loop);
-    }
-    return true;
-  }
-
-  // A place on a loop: on the edge from its i-th corner.
-  struct OnLoop
-  {
-    std::size_t edge = 0;
-    double along = 0; // part of the edge
-    double distance = 0;
-
-    double position() const { return static_cast<double>(edge) + along; }
-  };
-
-  OnLoop nearestOn(const Loop& loop, const Vector& place) const
-  {
-    OnLoop best;
-    for (std::size_t i = 0; i < loop.size(); ++i)
-    {
-      const Vector from = toVector(surface_.vertices[loop[i]]);
-      const Vector way = minus(toVector(surface_.vertices[following(loop, i)]), from);
-      const double along =
-        std::clamp(dot(way, minus(place, from)) / std::max(dot(way, way), 1.), 0., 1.);
-      const double distance = norm(minus(plus(from, scaled(way, along)), place));
-      if (i == 0 || distance < best.distance)
-      {
-        best = { i, along, distance };
-      }
-    }
-    return best;
-  }
-
-  // The loop of `loops` that all corners of `loop` are near, or none.
-  const Loop* matching(const Loop& loop, const std::vector<Loop>& loops, double& width) const
-  {
-    const auto isNear = [&](const Loop& other) {
-      return std::all_of(loop.begin(), loop.end(), [&](std::uint32_t v) {
-        return nearestOn(other, toVector(surface_.vertices[v])).distance <= tolerance_;
-      });
+    const auto height = [&](const Vector&, const Vector&, std::uint32_t) {
+      return Reach * tolerance_;
     };
-    const auto found = std::find_if(loops.begin(), loops.end(), isNear);
-    if (found == loops.end())
-    {
-      return nullptr;
-    }
-    for (const std::uint32_t v : loop)
-    {
-      width = std::max(width, nearestOn(*found, toVector(surface_.vertices[v])).distance);
-    }
-    return &*found;
+    curtains.hang(height, [&](const Triple& strip, const Curtains::Curtain& curtain) {
+      append(surface_, curtain.own, strip, surface_);
+      const auto last = static_cast<std::uint32_t>(surface_.triangles.size() - 1);
+      for (const std::uint32_t t : faced[curtain.own])
+      {
+        if (passesThrough(last, t))
+        {
+          cuts_[surface_.region[t]].insert(strip);
+        }
+      }
+      surface_.triangles.pop_back();
+      surface_.boundary.pop_back();
+      surface_.given.pop_back();
+      surface_.region.pop_back();
+    });
   }
 
-  // Where a rim of the later region goes: for each of its corners the vertex, and those between it and the
-  // next.
-  struct Rim
+  // That one side of an edge faces.
+  std::vector<std::uint32_t> laterWallsNear(const Neighbours::Edge& edge, std::size_t side)
   {
-    Loop from;
-    std::vector<Loop> to; // the first of each is for the corner itself
-  };
-
-  bool close(const Group& group, ClosedContact& contact)
-  {
-    std::array<std::vector<Loop>, 2> loops;
-    if (group.of[0].empty() || group.of[1].empty() || areSame(group) ||
-      !findLoops(group.of[0], loops[0]) || !findLoops(group.of[1], loops[1]) ||
-      loops[0].size() != loops[1].size())
-    {
-      return false;
-    }
-    contact = { earlier_, later_, group.width, {}, {} };
-    std::vector<Rim> rims;
-    std::set<const Loop*> taken;
-    onEdge_.clear();
-    for (const Loop& loop : loops[1])
-    {
-      const Loop* const other = matching(loop, loops[0], contact.width);
-      rims.push_back({ loop, {} });
-      if (!other || !taken.insert(other).second || !zip(*other, rims.back()))
+    const std::uint32_t own = edge.triangles[side];
+    const Box box = boxAround(toVector(surface_.vertices[edge.ends[0]]),
+      toVector(surface_.vertices[edge.ends[1]]), tolerance_);
+    std::vector<std::uint32_t> faced;
+    neighbours_.tree().forEachWithin(box.low, box.high, [&](std::uint32_t t) {
+      if (surface_.region[t] > surface_.region[own] && isNearPlane(own, surface_.triangles[t]) &&
+        isNearPlane(t, surface_.triangles[own]) && neighbours_.areFacing(own, t))
       {
-        return false;
+        faced.push_back(t);
       }
-    }
-    for (const std::uint32_t t : group.of[1])
-    {
-      contact.given.push_back(surface_.given[t]);
-      contact.triangles.push_back(surface_.corners(t));
-    }
-    exchange(group, rims);
-    return true;
+    });
+    return faced;
   }
 
-  // Whether both sides have the same triangles.
-  bool areSame(const Group& group) const
+  // Whether corners are within reach of a triangle's plane, or on both sides of it.
+  bool isNearPlane(std::uint32_t t, const Triple& corners) const
   {
-    const auto verticesOf = [&](const Triangles& part) {
-      std::set<Triple> all;
-      for (const std::uint32_t t : part)
-      {
-        Triple c = surface_.triangles[t];
-        std::sort(c.begin(), c.end());
-        all.insert(c);
-      }
-      return all;
+    const Point& base = surface_.vertices[surface_.triangles[t][0]];
+    const auto height = [&](std::uint32_t v) {
+      return dot(neighbours_.normal(t), minus(surface_.vertices[v], base));
     };
-    return verticesOf(group.of[0]) == verticesOf(group.of[1]);
+    const auto [low, high] =
+      std::minmax({ height(corners[0]), height(corners[1]), height(corners[2]) });
+    return low <= Reach * tolerance_ && high >= -Reach * tolerance_;
   }
 
-  // Finds where on the earlier region's rim each corner of the later one's goes, in turn.
-  bool zip(Loop other, Rim& rim)
+  // Whether a strip divides a triangle, and does not run along its edges.
+  bool passesThrough(std::uint32_t strip, std::uint32_t t) const
   {
-    std::reverse(other.begin(), other.end()); // as the later region's runs
-    const auto size = static_cast<double>(other.size());
-    std::vector<double> position;
-    for (const std::uint32_t v : rim.from)
+    const Corners s = surface_.corners(strip);
+    const Vector normal = unit(areaVectorOf(s));
+    double low = 0;
+    double high = 0;
+    for (const Point& corner : surface_.corners(t))
     {
-      OnLoop on = nearestOn(other, toVector(surface_.vertices[v]));
-      on.along = on.along < AtEnd ? 0 : on.along > 1 - AtEnd ? 1 : on.along;
-      position.push_back(std::fmod(on.position(), size));
+      const double height = dot(normal, minus(corner, s[0]));
+      low = std::min(low, height);
+      high = std::max(high, height);
     }
-    double length = 0;
-    std::vector<double> step(position.size());
-    for (std::size_t i = 0; i < position.size(); ++i)
-    {
-      double& to = position[(i + 1) % position.size()];
-      step[i] = std::fmod(to - position[i] + size, size);
-      if (step[i] > size / 2 && i + 1 < position.size()) // back: stay
-      {
-        to = position[i];
-        step[i] = 0;
-      }
-      length += step[i];
-    }
-    if (std::abs(length - size) > 0.5)
-    {
-      return false;
-    }
-    for (std::size_t i = 0; i < position.size(); ++i)
-    {
-      rim.to.push_back({ vertexAt(other, position[i]) });
-      for (auto k = static_cast<std::size_t>(position[i]) + 1;
-           static_cast<double>(k) < position[i] + step[i]; ++k)
-      {
-        rim.to.back().push_back(other[k % other.size()]);
-      }
-    }
-    return true;
-  }
-
-  // The vertex at a place of a loop, made if need be.
-  std::uint32_t vertexAt(const Loop& loop, double position)
-  {
-    const auto i = static_cast<std::size_t>(position);
-    const double along = position - static_cast<double>(i);
-    const std::uint32_t from = loop[i];
-    const std::uint32_t to = following(loop, i);
-    if (along == 0)
-    {
-      return from;
-    }
-    std::map<double, std::uint32_t>& onEdge = onEdge_[{ std::min(from, to), std::max(from, to) }];
-    const auto [known, isNew] = onEdge.emplace(
-      from < to ? along : 1 - along, static_cast<std::uint32_t>(surface_.vertices.size()));
-    if (isNew)
-    {
-      const Vector start = toVector(surface_.vertices[from]);
-      const Vector place =
-        plus(start, scaled(minus(toVector(surface_.vertices[to]), start), along));
-      surface_.vertices.push_back({ oddLevel(place[0]), oddLevel(place[1]), oddLevel(place[2]) });
-    }
-    return known->second;
-  }
-
-  // How the later region's triangles change at the rims.
-  struct Moves
-  {
-    std::map<std::uint32_t, std::uint32_t> moved;
-    std::map<std::array<std::uint32_t, 2>, Loop> between; // along its other side of the rim
-  };
-
-  static Moves movesOf(const std::vector<Rim>& rims)
-  {
-    Moves moves;
-    for (const Rim& rim : rims)
-    {
-      for (std::size_t i = 0; i < rim.from.size(); ++i)
-      {
-        moves.moved[rim.from[i]] = rim.to[i].front();
-        Loop& points = moves.between[{ rim.from[(i + 1) % rim.from.size()], rim.from[i] }];
-        points.assign(rim.to[i].rbegin(), rim.to[i].rend() - 1);
-      }
-    }
-    return moves;
-  }
-
-  // A triangle, divided at the points that its edges have got.
-  std::vector<Triple> partsOf(std::uint32_t t, const Moves& moves) const
-  {
-    const bool isLater = surface_.region[t] == later_;
-    Triple c = surface_.triangles[t];
-    std::array<Loop, 3> onEdges;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const auto found = moves.between.find({ c[i], following(c, i) });
-      onEdges[i] = isLater && found != moves.between.end()
-        ? found->second
-        : pointsOn(onEdge_, c[i], following(c, i));
-    }
-    for (std::uint32_t& v : c)
-    {
-      const auto found = moves.moved.find(v);
-      v = isLater && found != moves.moved.end() ? found->second : v;
-    }
-    std::vector<Triple> parts;
-    divideAtEdges(c, onEdges, parts);
-    return parts;
-  }
-
-  // The later region's side is replaced by the other; the rest of both is divided at the rims.
-  void exchange(const Group& group, const std::vector<Rim>& rims)
-  {
-    const Moves moves = movesOf(rims);
-    const NearbyTriangles own(surface_, group.of[1], 2 * tolerance_);
-    const std::set<std::uint32_t> lost(group.of[1].begin(), group.of[1].end());
-    const std::set<std::uint32_t> taken(group.of[0].begin(), group.of[0].end());
-    Surface result;
-    Triangles wall; // what the later region gets
-    const auto add = [&](const Triple& triangle, std::uint32_t like, std::int32_t region) {
-      if (!namesAVertexTwice(triangle))
-      {
-        result.triangles.push_back(triangle);
-        result.boundary.push_back(surface_.boundary[like]);
-        result.given.push_back(surface_.given[like]);
-        result.region.push_back(region);
-      }
-    };
-    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
-    {
-      if (lost.count(t) > 0)
-      {
-        continue;
-      }
-      for (const Triple& part : partsOf(t, moves))
-      {
-        add(part, t, surface_.region[t]);
-        if (taken.count(t) > 0)
-        {
-          const Vector middle = scaled(
-            plus(toVector(surface_.vertices[part[0]]),
-              plus(toVector(surface_.vertices[part[1]]), toVector(surface_.vertices[part[2]]))),
-            1. / 3);
-          const auto like = own.find(middle, [](std::uint32_t) { return true; });
-          wall.push_back(static_cast<std::uint32_t>(result.triangles.size()));
-          add({ part[0], part[2], part[1] },
-            like.triangle == NearbyTriangles::None ? group.of[1].front() : like.triangle, later_);
-        }
-      }
-    }
-    flipFlat(wall, result);
-    surface_.triangles.swap(result.triangles);
-    surface_.boundary.swap(result.boundary);
-    surface_.given.swap(result.given);
-    surface_.region.swap(result.region);
-    onEdge_.clear();
-  }
-
-  // Corners that went to one straight edge of the earlier rim leave flat triangles there: the edge opposite to
-  // the middle one goes to the triangle behind it.
-  void flipFlat(const Triangles& wall, Surface& result) const
-  {
-    const std::set<std::uint32_t> fixed(wall.begin(), wall.end());
-    bool isDone = false;
-    for (int round = 0; round < MostFlips && !isDone; ++round)
-    {
-      std::map<std::array<std::uint32_t, 2>, std::uint32_t> triangleAt;
-      for (std::uint32_t t = 0; t < result.triangles.size(); ++t)
-      {
-        for (std::size_t i = 0; i < 3 && result.region[t] == later_ && fixed.count(t) == 0; ++i)
-        {
-          triangleAt[{ result.triangles[t][i], result.triangles[t][(i + 1) % 3] }] = t;
-        }
-      }
-      isDone = true;
-      std::set<std::uint32_t> changed;
-      for (const auto& [edge, t] : triangleAt)
-      {
-        const auto other = triangleAt.find({ edge[1], edge[0] });
-        const std::uint32_t middle = opposite(result.triangles[t], edge);
-        if (other == triangleAt.end() || !liesAlong(edge, middle) || changed.count(t) > 0 ||
-          changed.count(other->second) > 0)
-        {
-          continue;
-        }
-        const std::uint32_t end = opposite(result.triangles[other->second], other->first);
-        if (triangleAt.count({ middle, end }) == 0 && triangleAt.count({ end, middle }) == 0)
-        {
-          result.triangles[t] = { edge[0], end, middle };
-          result.triangles[other->second] = { end, edge[1], middle };
-          changed.insert({ t, other->second });
-          isDone = false;
-        }
-      }
-    }
-  }
-
-  static std::uint32_t opposite(const Triple& c, const std::array<std::uint32_t, 2>& edge)
-  {
-    return *std::find_if(
-      c.begin(), c.end(), [&](std::uint32_t v) { return v != edge[0] && v != edge[1]; });
-  }
-
-  // Whether a vertex lies on an edge up to a few levels.
-  bool liesAlong(const std::array<std::uint32_t, 2>& edge, std::uint32_t vertex) const
-  {
-    const Vector way = minus(surface_.vertices[edge[1]], surface_.vertices[edge[0]]);
-    const Vector to = minus(surface_.vertices[vertex], surface_.vertices[edge[0]]);
-    const double along = dot(way, to) / std::max(dot(way, way), 1.);
-    return along > 0 && along < 1 && norm(minus(to, scaled(way, along))) < Flat;
+    const double least = Beside * tolerance_;
+    return low < -least && high > least && contactOf(surface_, strip, t) == Contact::Crossing;
   }
 
   Surface& surface_;
-  std::int32_t earlier_;
-  std::int32_t later_;
+  Neighbours neighbours_;
   double tolerance_;
-  Execution& execution_;
-  std::map<std::uint32_t, Triangles> sheets_;
-  std::map<std::uint32_t, Group> groups_;
-  EdgePoints onEdge_;
+  std::map<std::int32_t, std::set<Triple>> cuts_; // of each region
 };
 
+// Triangles that were taken away.
+struct OpenedContacts
+{
+  Surface walls;
+  std::vector<ClosedContact> contacts;
+};
+
+// Where a wall faces an earlier region.
+struct Faced
+{
+  std::int32_t earlier = OutsideRegion;
+  double gap = 0;      // along the normal; less than 0: an overlap
+  double distance = 0; // the shortest
+};
+
+class ContactOpener
+{
+public:
+  ContactOpener(Surface& surface, double tolerance, Execution& execution)
+    : surface_(surface)
+    , neighbours_(surface, tolerance, execution)
+    , tolerance_(tolerance)
+    , facing_(surface.triangles.size())
+  {
+  }
+
+  OpenedContacts open(std::int32_t regions, double into)
+  {
+    findFacing();
+    Curtains curtains(neighbours_, surface_, tolerance_, into * tolerance_, facing_);
+    for (const Neighbours::Edge& edge : neighbours_.edges())
+    {
+      for (std::size_t i = 0; i < 2; ++i)
+      {
+        if (isRim(edge, i))
+        {
+          curtains.plan(edge, edge.triangles[i], edge.triangles[1 - i], facing_[edge.triangles[i]]);
+        }
+      }
+    }
+    const auto height = [&](const Vector& place, const Vector& way, std::uint32_t own) {
+      const Vector inward = scaled(minus(middleOf(surface_, own), place), Inward);
+      const Faced faced = facedAt(plus(place, inward), way, own);
+      return faced.earlier == OutsideRegion ? 0 : std::max(0., faced.gap);
+    };
+    curtains.hang(height, [&](const Triple& triangle, const Curtains::Curtain& curtain) {
+      append(surface_, curtain.beside, triangle, surface_);
+      surface_.region.back() = regionOfCurtains(surface_.region.back(), regions);
+    });
+    return takeAway();
+  }
+
+private:
+  void findFacing()
+  {
+    for (const Neighbours::Edge& edge : neighbours_.edges())
+    {
+      for (std::size_t i = 0; i < 2 && neighbours_.isSharp(edge); ++i)
+      {
+        for (const std::uint32_t v : edge.ends)
+        {
+          std::vector<Vector>& planes =
+            beside_[{ v, static_cast<std::uint32_t>(surface_.region[edge.triangles[i]]) }];
+          const Vector& normal = neighbours_.normal(edge.triangles[i]);
+          if (std::none_of(planes.begin(), planes.end(),
+                [&](const Vector& other) { return norm(cross(normal, other)) <= OnePlane; }))
+          {
+            planes.push_back(normal);
+          }
+        }
+      }
+    }
+    for (std::uint32_t t = 0; t < facing_.size(); ++t)
+    {
+      facing_[t] = regionFacing(t);
+    }
+  }
+
+  // Whether the triangle on that side of an edge goes, and the other is left, or goes elsewhere.
+  bool isRim(const Neighbours::Edge& edge, std::size_t side) const
+  {
+    const std::int32_t own = facing_[edge.triangles[side]];
+    const std::int32_t other = facing_[edge.triangles[1 - side]];
+    return own != OutsideRegion && own != other &&
+      (other == OutsideRegion || neighbours_.isSharp(edge));
+  }
+
+  // The earlier region that a triangle faces all over.
+  std::int32_t regionFacing(std::uint32_t t)
+  {
+    const Corners c = surface_.corners(t);
+    const Vector middle = middleOf(surface_, t);
+    Vector normal{};
+    std::vector<Faced> found;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const Vector corner = i < 3 ? toVector(c[i]) : middle;
+      std::vector<Vector> ways{ unit(normal) };
+      if (i < 3)
+      {
+        const auto beside = beside_.find(
+          { surface_.triangles[t][i], static_cast<std::uint32_t>(surface_.region[t]) });
+        const std::vector<Vector> planes =
+          beside == beside_.end() ? std::vector<Vector>() : beside->second;
+        ways = directionsAlong(planes, neighbours_.normalAround(corner, t));
+        const std::vector<Vector> own = directionsAlong(planes, neighbours_.normal(t));
+        ways.insert(ways.end(), own.begin(), own.end());
+      }
+      const Vector place = plus(corner, scaled(minus(middle, corner), Inward));
+      Faced faced;
+      for (std::size_t k = 0; k < ways.size() && faced.earlier == OutsideRegion; ++k)
+      {
+        faced = facedAt(place, ways[k], t);
+        normal = faced.earlier == OutsideRegion ? normal : plus(normal, ways[k]);
+      }
+      if (faced.earlier == OutsideRegion)
+      {
+        return OutsideRegion;
+      }
+      found.push_back(faced);
+    }
+    note(t, unit(normal), found);
+    return found.back().earlier;
+  }
+
+  void note(std::uint32_t t, const Vector& normal, const std::vector<Faced>& found)
+  {
+    ClosedContact& contact = contacts_[{ found.back().earlier, surface_.region[t] }];
+    const double part = norm(areaVectorOf(surface_.corners(t))) / 2 /
+      static_cast<double>(found.size()) * dot(normal, neighbours_.normal(t));
+    for (const Faced& faced : found)
+    {
+      contact.width = std::max(contact.width, faced.distance);
+      (faced.gap > 0 ? contact.closed : contact.taken) += part * std::abs(faced.gap);
+    }
+  }
+
+  // Of the walls that a place's normal meets first on the way out of the region, or into it if there is an overlap.
+  Faced facedAt(const Vector& place, const Vector& normal, std::uint32_t own) const
+  {
+    const double reach = Reach * tolerance_;
+    const Vector way = scaled(normal, reach);
+    const Box box = boxAround(plus(place, way), minus(place, way), Slack);
+    struct Hit
+    {
+      double along;
+      std::uint32_t triangle;
+    };
+    std::map<std::int32_t, std::array<Hit, 2>>
+      nearest; // of each region: behind the place and in front
+    neighbours_.tree().forEachWithin(box.low, box.high, [&](std::uint32_t t) {
+      const Vector& other = neighbours_.normal(t);
+      const double lean = dot(other, normal);
+      if (surface_.region[t] == surface_.region[own] || lean == 0)
+      {
+        return;
+      }
+      const Corners c = surface_.corners(t);
+      const double along = dot(other, minus(toVector(c[0]), place)) / lean;
+      const Vector at = plus(place, scaled(normal, along));
+      if (std::abs(along) <= reach &&
+        norm(minus(nearestPlace(c, at), at)) <= (lean < 0 ? Beside * tolerance_ : Slack))
+      {
+        auto& both = nearest
+                       .emplace(surface_.region[t],
+                         std::array<Hit, 2>{ Hit{ -2 * reach, t }, { 2 * reach, t } })
+                       .first->second;
+        Hit& hit = both[along < 0 ? 0 : 1];
+        hit = std::abs(along) < std::abs(hit.along) ? Hit{ along, t } : hit;
+      }
+    });
+    Faced first{ OutsideRegion, 2 * reach, 0 };
+    for (const auto& [region, both] : nearest)
+    {
+      for (const Hit& hit : both)
+      {
+        if (std::abs(hit.along) <= reach && hit.along < first.gap &&
+          dot(neighbours_.normal(hit.triangle), normal) < 0)
+        {
+          first = { region, hit.along, 0 };
+        }
+      }
+    }
+    first.distance = distanceTo(first.earlier, place, own);
+    const bool isContact =
+      first.earlier < surface_.region[own] && first.distance <= tolerance_ + Slack;
+    return isContact ? first : Faced();
+  }
+
+  double distanceTo(std::int32_t region, const Vector& place, std::uint32_t own) const
+  {
+    double least = 2 * tolerance_;
+    const Box box = boxAround(place, place, tolerance_ + Slack);
+    neighbours_.tree().forEachWithin(box.low, box.high, [&](std::uint32_t t) {
+      if (surface_.region[t] == region && dot(neighbours_.normal(own), neighbours_.normal(t)) < 0)
+      {
+        least = std::min(least, norm(minus(nearestPlace(surface_.corners(t), place), place)));
+      }
+    });
+    return least;
+  }
+
+  OpenedContacts takeAway()
+  {
+    OpenedContacts opened;
+    opened.walls.lattice = surface_.lattice;
+    opened.walls.vertices = surface_.vertices;
+    Surface left;
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
+    {
+      const bool isTaken = t < facing_.size() && facing_[t] != OutsideRegion;
+      (isTaken ? opened.walls : left).append(surface_, t);
+      if (isTaken)
+      {
+        contacts_[{ facing_[t], surface_.region[t] }].given.push_back(surface_.given[t]);
+      }
+    }
+    surface_.triangles.swap(left.triangles);
+    surface_.boundary.swap(left.boundary);
+    surface_.given.swap(left.given);
+    surface_.region.swap(left.region);
+    for (auto& [regions, contact] : contacts_)
+    {
+      contact.earlier = regions[0];
+      contact.later = regions[1];
+      opened.contacts.push_back(std::move(contact));
+    }
+    return opened;
+  }
+
+  Surface& surface_;
+  Neighbours neighbours_;
+  double tolerance_;
+  std::vector<std::int32_t> facing_; // of each triangle, or outside
+  std::map<std::array<std::uint32_t, 2>, std::vector<Vector>>
+    beside_; // of a vertex and a triangle: normals across sharp edges
+  std::map<std::array<std::int32_t, 2>, ClosedContact> contacts_;
+};
+
+// Adds triangles that were taken away to the pieces that took their place, so that walls get their boundaries.
+void giveBoundaries(const OpenedContacts& opened, double reach, const Spaces& spaces,
+  Surface& arranged, std::vector<Piece>& pieces)
+{
+  std::vector<std::uint32_t> all(opened.walls.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  const NearbyTriangles nearby(opened.walls, all, reach);
+  const auto ownerOf = [&](std::uint32_t space) {
+    const std::vector<std::int32_t>& turns = spaces.turns[space];
+    return static_cast<std::int32_t>(std::find(turns.begin(), turns.end(), 1) - turns.begin());
+  };
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    const std::int32_t behind = ownerOf(spaces.beside[p][0]);
+    const std::int32_t front = ownerOf(spaces.beside[p][1]);
+    const std::int32_t later = std::max(behind, front);
+    const auto isOwn = [&](std::uint32_t t) { return arranged.region[t] == later; };
+    if (behind == front || std::min(behind, front) == OutsideRegion ||
+      std::any_of(pieces[p].triangles.begin(), pieces[p].triangles.end(), isOwn))
+    {
+      continue;
+    }
+    const auto found = nearby.find(middleOf(arranged, pieces[p].triangles[0]),
+      [&](std::uint32_t t) { return opened.walls.region[t] == later; });
+    if (found.triangle != NearbyTriangles::None)
+    {
+      Triple c = pieces[p].vertices;
+      if (front == later)
+      {
+        std::swap(c[1], c[2]);
+      }
+      pieces[p].triangles.push_back(static_cast<std::uint32_t>(arranged.triangles.size()));
+      append(opened.walls, found.triangle, c, arranged);
+    }
+  }
 }
 
-std::vector<ClosedContact> closeContacts(
-  Surface& surface, std::int32_t regions, double tolerance, Execution& execution)
+// The user's triangles, undivided.
+void listTriangles(const Surface& all, std::vector<ClosedContact>& contacts)
 {
-  std::vector<ClosedContact> closed;
-  for (std::int32_t later = FirstRegion + 1; later <= regions; ++later)
+  for (ClosedContact& contact : contacts)
   {
-    for (std::int32_t earlier = FirstRegion; earlier < later; ++earlier)
+    const std::set<std::uint32_t> given(contact.given.begin(), contact.given.end());
+    contact.given.clear();
+    for (std::size_t t = 0; t < all.triangles.size(); ++t)
     {
-      ClosedContact contact;
-      while (ContactCloser(surface, earlier, later, tolerance, execution).closeOne(contact))
+      if (all.region[t] == contact.later && given.count(all.given[t]) > 0)
       {
-        closed.push_back(contact);
+        contact.given.push_back(all.given[t]);
+        contact.triangles.push_back(all.corners(t));
       }
     }
   }
-  return closed;
+}
+
+}
+
+Surface wallsWithContacts(const Surface& all, const Surface& sheets, const Bodies& bodies,
+  double tolerance, std::vector<ClosedContact>& contacts, Surface& arranged,
+  std::vector<std::uint32_t>& crossing, Execution& execution)
+{
+  Surface divided = all;
+  WallDivider(divided, tolerance, execution).divide(bodies.regions, execution);
+  Surface walls;
+  for (const double into : Into)
+  {
+    arranged = divided;
+    OpenedContacts opened =
+      ContactOpener(arranged, tolerance, execution).open(bodies.regions, into);
+    for (std::size_t t = 0; t < sheets.triangles.size(); ++t)
+    {
+      arranged.append(sheets, t);
+    }
+    arrange(arranged, execution);
+    std::vector<Piece> pieces = piecesOf(arranged);
+    const Spaces spaces = findOwners(arranged, pieces, bodies.regions, execution);
+    crossing.clear();
+    for (const std::uint32_t p : spaces.contradictions)
+    {
+      crossing.push_back(pieces[p].triangles[0]);
+    }
+    if (crossing.empty())
+    {
+      giveBoundaries(opened, Reach * tolerance, spaces, arranged, pieces);
+      walls = wallsBetween(arranged, bodies, pieces, spaces, execution);
+      contacts = std::move(opened.contacts);
+      listTriangles(all, contacts);
+      break;
+    }
+  }
+  return walls;
 }
 
 }

@@ -1,34 +1,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Merges walls of two regions where they nearly touch.
+// Makes walls of two regions one where they face each other within a tolerance.
 //
-// A *sheet* is a part of a region's surface without sharp edges, such as the inside of a pipe. Where sheets of a
-// later region and of an earlier one face each other everywhere within a tolerance, the later region's is replaced by
-// the triangles of the earlier one, reversed. So nothing of the earlier region moves, the common wall has the same
-// triangles from both sides without imprinting, however curved it is and however the two were triangulated, and
-// neither slivers nor rounding can come between them.
+// The later region's wall is taken away there. Along the rim of what is left a *curtain* hangs across the gap into the
+// earlier region, in the planes of the walls beside the rim, so that flush sides stay flat. All is cut along each other
+// (Arrangement.h). Then the walls around a space tell whose it is: what no earlier region has is the later one's up to
+// the earlier one's wall. So the common wall has the triangles of the earlier region, of which nothing moves, however
+// the two walls weave through each other; and what curtains do within other regions, or beyond a thin one, does not
+// matter.
 //
-// Only at the rims are both surfaces touched: the corners of the later region's rim move to the nearest places of the
-// earlier one's, where edges are divided, so that the rest of the later surface closes there.
+// A wall that faces another only in part is divided first, along strips that rise from the other's sharp edges.
+//
+// Limits: a wall goes triangle by triangle, where its corners and its middle face the other; what a large triangle spans
+// between these is not measured.
 #pragma once
 
-#include "Lattice/Vector.h"
-#include "Surface/Surface.h"
+#include "Repair/WallsOfBodies.h"
+
+#include <string>
 
 namespace cartesian
 {
 
-// Two walls that became one.
+// Two regions' walls that became one.
 struct ClosedContact
 {
   std::int32_t earlier; // regions
   std::int32_t later;
-  double width; // levels: the largest distance of a corner of either from the other
-  std::vector<std::uint32_t> given; // the later region's triangles, by their numbers in the view
+  double width =
+    0; // levels: the largest distance of a place of the later wall from the earlier one
+  double closed = 0; // cubic levels, about: what the later region got of gaps
+  double taken = 0;  // what it lost where they overlapped
+  std::vector<std::uint32_t>
+    given; // the later region's triangles there, by their numbers in the view
   std::vector<Corners> triangles;   // the same, as they were
+  std::array<std::string, 2> names; // of the regions, for messages
 };
 
-// `surface`: of all regions, each closed and oriented; `tolerance`: in levels.
-std::vector<ClosedContact> closeContacts(
-  Surface& surface, std::int32_t regions, double tolerance, Execution& execution);
+// As wallsOf(), of regions that are not arranged yet, and sheets. `tolerance`: in levels. `arranged`: what `crossing` are
+// triangles of.
+Surface wallsWithContacts(const Surface& all, const Surface& sheets, const Bodies& bodies,
+  double tolerance, std::vector<ClosedContact>& contacts, Surface& arranged,
+  std::vector<std::uint32_t>& crossing, Execution& execution);
 
 }

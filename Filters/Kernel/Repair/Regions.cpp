@@ -99,16 +99,6 @@ Surface takeSheets(Surface& all, SheetHandling handling, Execution& execution)
   return sheets;
 }
 
-// `regions`: that there are besides.
-void appendSheets(const Surface& sheets, std::int32_t regions, Surface& all)
-{
-  for (std::size_t t = 0; t < sheets.triangles.size(); ++t)
-  {
-    all.append(sheets, t);
-    all.region.back() = regionOfSheets(sheets.region[t], regions);
-  }
-}
-
 std::vector<std::string> namesOfParts(
   const std::vector<std::int32_t>& given, const std::vector<std::string>& names)
 {
@@ -160,7 +150,7 @@ std::optional<std::vector<ClosedContact>> separateRegions(
   std::int32_t regions = *std::max_element(surface.region.begin(), surface.region.end());
   Surface given = surface;
   const Surface sheets = takeBaffles(given, spec.baffles);
-  const Surface found = takeSheets(given, spec.sheets, execution);
+  Surface found = takeSheets(given, spec.sheets, execution);
   Surface all;
   all.lattice = surface.lattice;
   all.rounding = surface.rounding;
@@ -169,15 +159,10 @@ std::optional<std::vector<ClosedContact>> separateRegions(
   {
     append(surfaceOf(given, region, planes, spec, execution), all);
   }
-  std::vector<ClosedContact> closed;
-  if (spec.contactTolerance > 0)
-  {
-    closed = closeContacts(all, regions, spec.contactTolerance / surface.lattice.step(), execution);
-  }
+  const double tolerance = spec.contactTolerance / surface.lattice.step();
   std::vector<std::int32_t> regionsOfParts;
   if (!sheets.triangles.empty())
   {
-    const double tolerance = spec.contactTolerance / surface.lattice.step();
     const std::optional<RegionParts> parts =
       divideByBaffles(all, sheets, spec.baffles, regions, tolerance, names, execution);
     if (!parts)
@@ -188,9 +173,28 @@ std::optional<std::vector<ClosedContact>> separateRegions(
     regions = static_cast<std::int32_t>(regionsOfParts.size());
     names = namesOfParts(regionsOfParts, names);
   }
-  appendSheets(found, regions, all);
+  for (std::int32_t& region : found.region)
+  {
+    region = regionOfSheets(region, regions);
+  }
+  const Bodies bodies{ regions, regionsOfParts };
+  std::vector<ClosedContact> contacts;
   std::vector<std::uint32_t> crossing;
-  Surface walls = arrangedWalls(all, { regions, regionsOfParts }, crossing, execution);
+  Surface walls;
+  if (tolerance > 0)
+  {
+    const Surface whole = all;
+    walls = wallsWithContacts(whole, found, bodies, tolerance, contacts, all, crossing, execution);
+    for (ClosedContact& contact : contacts)
+    {
+      contact.names = { nameOf(contact.earlier, names), nameOf(contact.later, names) };
+    }
+  }
+  else
+  {
+    append(found, all);
+    walls = arrangedWalls(all, bodies, crossing, execution);
+  }
   if (!crossing.empty())
   {
     throw Error(Fault::FlawedSurface,
@@ -219,7 +223,7 @@ std::optional<std::vector<ClosedContact>> separateRegions(
           ": it lies inside regions listed before it. List it before them, or leave it out.");
     }
   }
-  return closed;
+  return contacts;
 }
 
 }
