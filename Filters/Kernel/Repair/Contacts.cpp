@@ -497,6 +497,10 @@ Surface wallsWithContacts(const Surface& all, const Surface& sheets, const Bodie
     arranged = divided;
     OpenedContacts opened =
       ContactOpener(arranged, tolerance, execution).open(bodies.regions, into);
+    if (opened.contacts.empty())
+    {
+      break;
+    }
     for (std::size_t t = 0; t < sheets.triangles.size(); ++t)
     {
       arranged.append(sheets, t);

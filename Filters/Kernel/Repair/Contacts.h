@@ -36,7 +36,7 @@ struct ClosedContact
   std::array<std::string, 2> names; // of the regions, for messages
 };
 
-// As wallsOf(), of regions that are not arranged yet, and sheets. `tolerance`: in levels. `arranged`: what `crossing` are
+// As wallsOf(), of regions that are not arranged yet, and sheets; nothing, and no contacts, where no walls are near. `tolerance`: in levels. `arranged`: what `crossing` are
 // triangles of.
 Surface wallsWithContacts(const Surface& all, const Surface& sheets, const Bodies& bodies,
   double tolerance, std::vector<ClosedContact>& contacts, Surface& arranged,

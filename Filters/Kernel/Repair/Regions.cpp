@@ -183,14 +183,19 @@ std::optional<std::vector<ClosedContact>> separateRegions(
   Surface walls;
   if (tolerance > 0)
   {
-    const Surface whole = all;
-    walls = wallsWithContacts(whole, found, bodies, tolerance, contacts, all, crossing, execution);
-    for (ClosedContact& contact : contacts)
+    Surface arranged;
+    walls =
+      wallsWithContacts(all, found, bodies, tolerance, contacts, arranged, crossing, execution);
+    if (!crossing.empty())
     {
-      contact.names = { nameOf(contact.earlier, names), nameOf(contact.later, names) };
+      all = std::move(arranged);
     }
   }
-  else
+  for (ClosedContact& contact : contacts)
+  {
+    contact.names = { nameOf(contact.earlier, names), nameOf(contact.later, names) };
+  }
+  if (contacts.empty() && crossing.empty())
   {
     append(found, all);
     walls = arrangedWalls(all, bodies, crossing, execution);
