@@ -2,8 +2,9 @@
 // Which sides of triangles that do not cross are next to the same space.
 //
 // Around each edge, what is between two neighbouring triangles is one space: so the sides of triangles are joined
-// edge by edge. Neighbours are found by exact orientation (RadialEdgeSort.h); what is open at a rim connects its two sides. Parts that
-// share no edge are placed in each other by a line through each, which joins what lies next to each other along it.
+// edge by edge. Neighbours are found by exact orientation (RadialEdgeSort.h); what is open at a rim connects its two
+// sides. Parts that share no edge are placed in each other by a line through each, which joins what lies next to each
+// other along it.
 // Limits: a part of a few levels, which no line meets, is nowhere.
 #pragma once
 

@@ -42,9 +42,9 @@ class Verdict
 {
 public:
   Verdict(const Surface& surface, const ManifoldComponents& sheets,
-    const std::vector<TrianglePair>& pairs, Execution& execution)
+    const std::vector<TrianglePair>& pairs, const TriangleTree& tree, Execution& execution)
     : sheets_(sheets)
-    , votes_(voteOnSheets(surface, sheets, execution))
+    , votes_(voteOnSheets(surface, sheets, tree, execution))
     , unturned_(surface.triangles.size())
   {
     shapes_.volume.resize(unturned_.size());
@@ -119,11 +119,12 @@ private:
 
 }
 
-void orient(Surface& surface, const TrianglePairs& pairs, Execution& execution)
+void orient(
+  Surface& surface, const TrianglePairs& pairs, const TriangleTree& tree, Execution& execution)
 {
   const std::size_t count = surface.triangles.size();
   const ManifoldComponents sheets(surface, SurfaceEdges(surface, execution), execution);
-  const Verdict verdict(surface, sheets, pairs.pairs, execution);
+  const Verdict verdict(surface, sheets, pairs.pairs, tree, execution);
   for (std::size_t t = 0; t < count; ++t)
   {
     if (sheets.turned(t) != verdict.turns(sheets.of(t)))

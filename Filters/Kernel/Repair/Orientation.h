@@ -26,7 +26,8 @@
 namespace cartesian
 {
 
-// `pairs`: of triangles that cross.
-void orient(Surface& surface, const TrianglePairs& pairs, Execution& execution);
+// `pairs`: of triangles that cross. `tree`: of the surface.
+void orient(
+  Surface& surface, const TrianglePairs& pairs, const TriangleTree& tree, Execution& execution);
 
 }

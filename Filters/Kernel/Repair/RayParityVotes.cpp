@@ -175,11 +175,10 @@ private:
 
 }
 
-RayParityVotes voteOnSheets(
-  const Surface& surface, const ManifoldComponents& sheets, Execution& execution)
+RayParityVotes voteOnSheets(const Surface& surface, const ManifoldComponents& sheets,
+  const TriangleTree& tree, Execution& execution)
 {
   VoteCounter counter(surface, sheets);
-  const TriangleTree tree(surface, execution);
   std::array<std::vector<SampleRay>, 3> rays = findSampleRays(surface, sheets, execution);
   for (std::size_t along = 0; along < 3; ++along)
   {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "Repair/ManifoldComponents.h"
+#include "Repair/TriangleTree.h"
 
 #include <map>
 
@@ -40,7 +41,8 @@ struct RayParityVotes
     nesting; // of a closed sheet in another, or in AllOpenSheets
 };
 
-RayParityVotes voteOnSheets(
-  const Surface& surface, const ManifoldComponents& sheets, Execution& execution);
+// `tree`: of the surface.
+RayParityVotes voteOnSheets(const Surface& surface, const ManifoldComponents& sheets,
+  const TriangleTree& tree, Execution& execution);
 
 }

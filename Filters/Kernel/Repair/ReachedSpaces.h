@@ -3,9 +3,8 @@
 // whether or not it is closed by itself. What is open elsewhere does not matter; what has the fluid on both sides is a
 // sheet.
 //
-// Method: triangles are cut along each other (Arrangement.h); around each edge the space between neighbours is one
-// (Spaces.h), so what is open at a rim connects its two sides. Parts that share no edge are placed in each other by a line through
-// each, which joins what lies next to each other along it. Exact: nothing depends on boxes.
+// Method: triangles are cut along each other (Arrangement.h); then it is known which of their sides are next to the same space
+// (JoinedSides.h). Exact: nothing depends on boxes.
 // Limits: a gap of a rim that is wider than the lattice resolves is open, unless it was closed before (Cracks.h, RimsOnWalls.h,
 // ClosedGaps.h).
 #pragma once

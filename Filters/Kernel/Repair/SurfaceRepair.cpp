@@ -3,6 +3,7 @@
 
 #include "Repair/Orientation.h"
 #include "Repair/SheetRims.h"
+#include "Repair/TriangleTree.h"
 #include "Repair/UnitedBodies.h"
 #include "Surface/Components.h"
 
@@ -47,6 +48,15 @@ void turnSheets(
       }
     }
   }
+}
+
+// Returns the pairs of triangles that cross.
+TrianglePairs orientByPairs(Surface& surface, Execution& execution)
+{
+  const TriangleTree tree(surface, execution);
+  TrianglePairs pairs = findPairs(surface, tree, execution);
+  orient(surface, pairs, tree, execution);
+  return pairs;
 }
 
 // Marks the components with an edge that more triangles use in one direction than in the other.
@@ -152,8 +162,7 @@ SurfaceRepair closeAndOrient(
   SurfaceRepair result;
   handleDuplicates(surface, spec, result, execution);
   const std::vector<std::array<std::uint32_t, 3>> given = surface.triangles;
-  result.pairs = findPairs(surface, execution);
-  orient(surface, result.pairs, execution);
+  result.pairs = orientByPairs(surface, execution);
   turnSheets(given, spec.meshed, surface);
   const SurfaceEdges edges(surface, execution);
   result.check = check(edges, execution);
@@ -161,8 +170,7 @@ SurfaceRepair closeAndOrient(
   {
     result.loose = dropLoose(surface, edges);
     result.holes = closeHoles(surface, SurfaceEdges(surface, execution), planes, execution);
-    result.pairs = findPairs(surface, execution);
-    orient(surface, result.pairs, execution);
+    result.pairs = orientByPairs(surface, execution);
     turnSheets(given, spec.meshed, surface);
     findUnoriented(surface, SurfaceEdges(surface, execution));
   }

@@ -271,9 +271,9 @@ PairSearch search(const Surface& surface, const NearlyFlat* nearly, const Triang
   return all;
 }
 
-TrianglePairs findAll(const Surface& surface, const NearlyFlat* nearly, Execution& execution)
+TrianglePairs findAll(
+  const Surface& surface, const NearlyFlat* nearly, const TriangleTree& tree, Execution& execution)
 {
-  const TriangleTree tree(surface, execution);
   std::vector<std::size_t> places(tree.size());
   std::iota(places.begin(), places.end(), 0);
   execution.nextLoop(0.7);
@@ -397,7 +397,12 @@ std::array<Vector, 2> sharedSegment(const Corners& a, const Corners& b)
 
 TrianglePairs findPairs(const Surface& surface, Execution& execution)
 {
-  return findAll(surface, nullptr, execution);
+  return findPairs(surface, TriangleTree(surface, execution), execution);
+}
+
+TrianglePairs findPairs(const Surface& surface, const TriangleTree& tree, Execution& execution)
+{
+  return findAll(surface, nullptr, tree, execution);
 }
 
 TrianglePairs findPairs(const Surface& surface, const NearlyFlat& nearly, Execution& execution)
@@ -407,7 +412,7 @@ TrianglePairs findPairs(const Surface& surface, const NearlyFlat& nearly, Execut
   const auto news =
     static_cast<std::size_t>(std::count(nearly.isNew.begin(), nearly.isNew.end(), 1));
   return many * news > nearly.isNew.size() || nearly.isNew.empty()
-    ? findAll(surface, &nearly, execution)
+    ? findAll(surface, &nearly, TriangleTree(surface, execution), execution)
     : findNew(surface, nearly, execution);
 }
 

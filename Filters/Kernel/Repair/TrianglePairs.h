@@ -10,6 +10,8 @@
 namespace cartesian
 {
 
+class TriangleTree;
+
 enum class Contact
 {
   Apart,    // share at most single points and a common edge
@@ -49,6 +51,9 @@ struct TrianglePairs
 // triangle if that is more: each with 64 larger ones nearby, then those with more neighbours, with as many as are
 // left for each. The rest is not compared.
 TrianglePairs findPairs(const Surface& surface, Execution& execution);
+
+// The same with the tree of the surface.
+TrianglePairs findPairs(const Surface& surface, const TriangleTree& tree, Execution& execution);
 
 // Then those of different bodies also overlap where one is so near the other's plane, as coplanar faces are that
 // the lattice rounded.
