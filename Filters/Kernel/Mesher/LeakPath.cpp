@@ -17,8 +17,9 @@ namespace cartesian
 namespace
 {
 
-constexpr std::array<double, 3> Searches{ 3e5, 2.4e6,
-  2e7 };                           // most points of each, one after the other
+// The most points of each search, in turn.
+constexpr std::array<double, 3> Searches{ 3e5, 2.4e6, 2e7 };
+
 constexpr double WallWeight = 0.1; // of walls, as a part of the distance of the two ends
 constexpr double LeastRise = 1.5;  // of the distance from walls, before and behind a gap
 
@@ -136,7 +137,7 @@ public:
       grid_.forEachNeighbour(point, [&](std::size_t next) {
         const double step = norm(minus(grid_.placeOf(next), grid_.placeOf(point)));
         const double cost = (costAt(point) + costAt(next)) / 2;
-        reach(next, static_cast<float>(length + step * cost), point);
+        reach(next, { static_cast<float>(length + step * cost), point });
       });
     }
     return {};
@@ -154,7 +155,7 @@ private:
         const Vector at = grid_.placeOf(point);
         if (!walls_.areBetween(*from_, at))
         {
-          reach(point, static_cast<float>(norm(minus(at, *from_))), None);
+          reach(point, { static_cast<float>(norm(minus(at, *from_))), None });
         }
       }
       return;
@@ -163,18 +164,24 @@ private:
     {
       if (grid_.isAtEnd(point))
       {
-        reach(point, 0, None);
+        reach(point, { 0, None });
       }
     }
   }
 
-  void reach(std::size_t point, float length, std::size_t before)
+  struct Way
   {
-    if (length < length_[point])
+    float length;
+    std::size_t before; // the last point of it
+  };
+
+  void reach(std::size_t point, const Way& way)
+  {
+    if (way.length < length_[point])
     {
-      length_[point] = length;
-      before_[point] = before;
-      queue_.push({ length, point });
+      length_[point] = way.length;
+      before_[point] = way.before;
+      queue_.push({ way.length, point });
     }
   }
 

@@ -14,10 +14,12 @@ PointGrid::PointGrid(const Point& low, const Point& high, double spacing)
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double extent = double(high[axis]) - low[axis];
-    const double intervals = std::max(2.0, std::ceil(extent / spacing));
-    for (double i = 0; i <= intervals; ++i)
+    const auto intervals =
+      std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(extent / spacing)));
+    for (std::size_t i = 0; i <= intervals; ++i)
     {
-      lines_[axis].push_back(oddLevel(low[axis] + i * extent / intervals) - 1);
+      const double part = double(i) / double(intervals);
+      lines_[axis].push_back(oddLevel(low[axis] + part * extent) - 1);
     }
   }
   isBlocked_.resize(size());

@@ -92,7 +92,7 @@ private:
 
   using Step = std::array<int, 3>;
 
-  // Along the axes of a step, one after the other, in any order; how many points it has. 0: all ways are blocked.
+  // Along the axes of a step, in any order; how many points it has. 0: all ways are blocked.
   std::size_t findWay(const Index& i, const Step& step, std::array<std::size_t, 3>& way) const;
 
   std::array<std::vector<Level>, 3> lines_;

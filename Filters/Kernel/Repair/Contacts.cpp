@@ -97,8 +97,8 @@ public:
 private:
   void findCuts()
   {
-    const std::vector<std::int32_t> allOne;
-    Curtains curtains(neighbours_, surface_, tolerance_, 0, allOne);
+    const std::vector<std::int32_t> oneRegion;
+    Curtains curtains(neighbours_, surface_, tolerance_, 0, oneRegion);
     std::map<std::uint32_t, std::vector<std::uint32_t>> faced; // of each triangle with a curtain
     for (const Neighbours::Edge& edge : neighbours_.edges())
     {

@@ -139,7 +139,7 @@ private:
         withArea.push_back(t);
       }
     }
-    return TriangleTree(moved, std::move(withArea), execution_);
+    return { moved, std::move(withArea), execution_ };
   }
 
   std::map<std::uint32_t, std::int32_t> regionsOf(const OpenRims& rims) const

@@ -258,7 +258,7 @@ private:
     const Vector start = toVector(surface_.vertices[curtain.edge[0]]);
     const Vector along = minus(toVector(surface_.vertices[curtain.edge[1]]), start);
     const double steps = std::clamp(std::ceil(norm(along) / step_), 1., MostSteps);
-    for (double i = 0; i <= steps; ++i)
+    for (int i = 0; i <= static_cast<int>(steps); ++i)
     {
       const double part = i / steps;
       const Vector way = unit(plus(scaled(from.way, 1 - part), scaled(to.way, part)));

@@ -67,7 +67,7 @@ private:
   static TriangleTree treeOf(const Surface& surface, const std::vector<std::uint32_t>& triangles)
   {
     Execution alone;
-    return TriangleTree(surface, triangles, alone);
+    return { surface, triangles, alone };
   }
 
   const Surface& surface_;
