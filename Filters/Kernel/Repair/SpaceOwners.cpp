@@ -118,13 +118,13 @@ private:
 
   bool contradicts(std::uint32_t piece)
   {
-    const auto [behind, front] = beside(piece);
+    const std::array<std::uint32_t, 2> both = beside(piece);
     return std::any_of(
       pieces_[piece].triangles.begin(), pieces_[piece].triangles.end(), [&](std::uint32_t t) {
         const std::int32_t region = surface_.region[t];
         const bool isForward = faceAlike(surface_.triangles[t], pieces_[piece].vertices);
-        const std::int32_t own = owner_[isForward ? behind : front];
-        const std::int32_t other = owner_[isForward ? front : behind];
+        const std::int32_t own = owner_[both[isForward ? 0 : 1]];
+        const std::int32_t other = owner_[both[isForward ? 1 : 0]];
         return region <= regions_ && netOf(piece, region) != 0 &&
           (own == OutsideRegion || own > region || other == region);
       });
