@@ -283,7 +283,7 @@ struct Course
     return found;
   }
 
-  // The last place in either direction within a distance along each axis, and the one furthest from walls up to there.
+  // The last place in either direction within a distance along each axis.
   std::size_t last(std::size_t i, double reach, bool isBehind) const
   {
     std::size_t j = i;
@@ -299,6 +299,8 @@ struct Course
     }
     return j;
   }
+
+  // Of those up to there, the one furthest from walls.
   std::size_t freest(std::size_t i, double reach, bool isBehind) const
   {
     const std::size_t end = last(i, reach, isBehind);

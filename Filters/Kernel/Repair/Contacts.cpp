@@ -88,10 +88,7 @@ public:
       }
     }
     surface_.vertices.swap(divided.vertices);
-    surface_.triangles.swap(divided.triangles);
-    surface_.boundary.swap(divided.boundary);
-    surface_.given.swap(divided.given);
-    surface_.region.swap(divided.region);
+    surface_.takeTriangles(divided);
   }
 
 private:
@@ -406,10 +403,7 @@ private:
         contacts_[{ facing_[t], surface_.region[t] }].given.push_back(surface_.given[t]);
       }
     }
-    surface_.triangles.swap(left.triangles);
-    surface_.boundary.swap(left.boundary);
-    surface_.given.swap(left.given);
-    surface_.region.swap(left.region);
+    surface_.takeTriangles(left);
     for (auto& [regions, contact] : contacts_)
     {
       contact.earlier = regions[0];
