@@ -3,6 +3,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Mesher/Mesher.h"
+#include "Repair/PartGaps.h"
 #include "Surface/Places.h"
 #include "Surface/SurfaceEdges.h"
 
@@ -17,31 +18,50 @@ namespace cartesian
 namespace
 {
 
-// A point of the view at each vertex that triangles use.
-std::vector<std::uint32_t> pointsAt(const Surface& surface, const SurfaceView& view)
+// The points of the view by their places, and others.
+class Points
 {
-  std::map<Point, std::uint32_t> first;
-  for (std::size_t corner = 0; corner < 3 * view.triangleCount; ++corner)
+public:
+  Points(const Lattice& lattice, const SurfaceView& view)
+    : lattice_(lattice)
+    , count_(view.pointCount)
   {
-    const std::uint32_t p = view.triangles[corner];
-    Point place;
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t corner = 0; corner < 3 * view.triangleCount; ++corner)
     {
-      place[static_cast<std::size_t>(axis)] =
-        surface.lattice.vertex(axis, view.points[3 * std::size_t(p) + std::size_t(axis)]);
+      const std::uint32_t p = view.triangles[corner];
+      Point place;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        place[static_cast<std::size_t>(axis)] =
+          lattice_.vertex(axis, view.points[3 * std::size_t(p) + std::size_t(axis)]);
+      }
+      std::uint32_t& lowest = at_.emplace(place, p).first->second;
+      lowest = std::min(lowest, p);
     }
-    std::uint32_t& lowest = first.emplace(place, p).first->second;
-    lowest = std::min(lowest, p);
   }
-  std::vector<std::uint32_t> points;
-  points.reserve(surface.vertices.size());
-  for (const Point& vertex : surface.vertices)
+
+  // A new one where there is none.
+  std::uint32_t at(const Point& place)
   {
-    const auto found = first.find(vertex);
-    points.push_back(found != first.end() ? found->second : 0);
+    const auto [found, isNew] =
+      at_.emplace(place, static_cast<std::uint32_t>(count_ + added_.size() / 3));
+    for (int axis = 0; axis < 3 && isNew; ++axis)
+    {
+      added_.push_back(lattice_.position(axis, place[static_cast<std::size_t>(axis)]));
+    }
+    return found->second;
   }
-  return points;
-}
+
+  std::array<std::uint32_t, 3> at(const Corners& c) { return { at(c[0]), at(c[1]), at(c[2]) }; }
+
+  std::vector<double> takeAdded() { return std::move(added_); }
+
+private:
+  const Lattice& lattice_;
+  std::size_t count_; // of the view
+  std::map<Point, std::uint32_t> at_;
+  std::vector<double> added_;
+};
 
 Surface ofRegion(const Surface& all, std::int32_t region)
 {
@@ -152,6 +172,35 @@ private:
   std::map<std::uint32_t, std::size_t> endings_; // such edges of each part
 };
 
+// The border that starts at the lowest point which has one.
+std::vector<std::uint32_t> loopAround(const std::vector<std::array<std::uint32_t, 3>>& triangles)
+{
+  std::map<std::array<std::uint32_t, 2>, int> uses;
+  for (const auto& t : triangles)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      ++uses[{ t[i], t[(i + 1) % 3] }];
+      --uses[{ t[(i + 1) % 3], t[i] }];
+    }
+  }
+  std::map<std::uint32_t, std::uint32_t> next;
+  for (const auto& [edge, count] : uses)
+  {
+    if (count > 0)
+    {
+      next.emplace(edge[0], edge[1]);
+    }
+  }
+  std::vector<std::uint32_t> loop;
+  for (auto at = next.begin(); at != next.end(); at = next.find(loop.back()))
+  {
+    loop.push_back(at->second);
+    next.erase(at);
+  }
+  return loop;
+}
+
 class GapCloser
 {
 public:
@@ -159,7 +208,7 @@ public:
     : options_(options)
     , execution_(execution)
     , prepared_(joinSurface(view, options, execution))
-    , points_(pointsAt(prepared_.surface, view))
+    , points_(prepared_.surface.lattice, view)
     , parts_(prepared_.surface, execution)
   {
     const std::vector<std::uint8_t>& open = prepared_.openSheets.isOfOne;
@@ -184,15 +233,27 @@ public:
       Surface own = ofRegion(prepared_.surface, region);
       closeIn(own, region);
     }
+    result_.gaps.insert(result_.gaps.end(), betweenParts_.begin(), betweenParts_.end());
     std::sort(result_.panes.begin(), result_.panes.end());
+    std::sort(result_.replaced.begin(), result_.replaced.end());
+    result_.added = points_.takeAdded();
     return std::move(result_);
   }
 
 private:
   void closeIn(Surface& surface, std::int32_t region)
   {
+    const Surface given = surface;
     const SurfaceRepair repaired =
-      closeAndOrient(surface, prepared_.planes, repairOf(options_), execution_);
+      repair(surface, prepared_.planes, repairOf(options_), execution_);
+    closeHolesOf(repaired, repaired.crossing ? *repaired.crossing : surface, region);
+    closeBetweenParts(
+      closePartGaps(given, surface, options_.closeGaps / surface.lattice.step(), execution_),
+      region);
+  }
+
+  void closeHolesOf(const SurfaceRepair& repaired, const Surface& surface, std::int32_t region)
+  {
     for (const Hole& hole : repaired.holes)
     {
       const double width = hole.width * surface.lattice.step();
@@ -210,15 +271,50 @@ private:
       gap.width = width;
       for (const std::uint32_t vertex : hole.rim)
       {
-        gap.rim.push_back(points_[vertex]);
+        gap.rim.push_back(points_.at(surface.vertices[vertex]));
       }
       for (std::size_t t = hole.firstTriangle; t < hole.firstTriangle + hole.triangles; ++t)
       {
-        const auto& corners = surface.triangles[t];
-        gap.triangles.push_back({ points_[corners[0]], points_[corners[1]], points_[corners[2]] });
+        gap.triangles.push_back(points_.at(surface.corners(t)));
       }
       result_.gaps.push_back(std::move(gap));
     }
+  }
+
+  void closeBetweenParts(const PartGaps& found, std::int32_t region)
+  {
+    for (const PartGaps::Gap& gap : found.gaps)
+    {
+      ClosedGap closed;
+      closed.region = region;
+      closed.width = gap.width * prepared_.surface.lattice.step();
+      for (const Corners& strip : gap.strips)
+      {
+        closed.triangles.push_back(points_.at(strip));
+      }
+      closed.rim = loopAround(closed.triangles);
+      betweenParts_.push_back(std::move(closed));
+    }
+    for (const PartGaps::Piece& piece : found.pieces)
+    {
+      result_.pieces.push_back({ piece.given, points_.at(piece.corners) });
+    }
+    result_.replaced.insert(result_.replaced.end(), found.replaced.begin(), found.replaced.end());
+    for (const Vector& place : found.refused)
+    {
+      result_.refused.push_back(userPlaceOf(place));
+    }
+  }
+
+  Vector userPlaceOf(const Vector& levels) const
+  {
+    const Lattice& lattice = prepared_.surface.lattice;
+    Vector place = scaled(levels, lattice.step());
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      place[axis] += lattice.origin()[axis];
+    }
+    return place;
   }
 
   // Its shortest side, levels.
@@ -236,8 +332,9 @@ private:
   const Options& options_;
   Execution& execution_;
   PreparedSurface prepared_;
-  std::vector<std::uint32_t> points_; // of the view, at vertices
-  Parts parts_;                       // before anything is repaired
+  Points points_;
+  Parts parts_; // before anything is repaired
+  std::vector<ClosedGap> betweenParts_;
   ClosedGaps result_;
 };
 
