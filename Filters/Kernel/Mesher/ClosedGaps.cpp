@@ -2,6 +2,7 @@
 #include "Mesher/ClosedGaps.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Sorting.h"
 #include "Mesher/Mesher.h"
 #include "Repair/PartGaps.h"
 #include "Surface/Places.h"
@@ -234,7 +235,7 @@ public:
       closeIn(own, region);
     }
     result_.gaps.insert(result_.gaps.end(), betweenParts_.begin(), betweenParts_.end());
-    std::sort(result_.panes.begin(), result_.panes.end());
+    result_.panes = sortedUnique(std::move(result_.panes));
     std::sort(result_.replaced.begin(), result_.replaced.end());
     result_.added = points_.takeAdded();
     return std::move(result_);
