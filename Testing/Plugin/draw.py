@@ -1,7 +1,7 @@
 """xvfb-run -a pvpython draw.py REPOSITORY PROGRAM [NAME ...]: makes pictures of the help pages: of the mesh of
 their task cut open (task), of a flow that OpenFOAM computed (flow), of a mesh that
 follows a solution (adaptation), of layers (layers), of the coolant jacket (jacket), of sections (slices), of
-cells around a rim (rims), of gaps that are closed (gaps), of terrain (terrain), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
+cells around a rim (rims), of gaps that are closed (gaps, houses), of terrain (terrain), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
 of the exhaust header (regions; needs the folder of surfaces in SURFACES). PROGRAM is cartesian-mesher; the others are made by
 demo.sh, TestImages.py and Window/photograph.py."""
 
@@ -20,7 +20,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 import foam
 import jacket
 from ducts import solve
-from pipeline import DATA, output, producer
+from pipeline import DATA, output, polydata, producer
 from pages import HELP, REPOSITORY, block, blocks
 
 PROGRAM = sys.argv[2]
@@ -234,6 +234,37 @@ def draw_gaps(folder):
     joined("gaps.png", parts)
 
 
+def row_of_houses():
+    """Five boxes on the ground, each beside the one before."""
+    points, polygons, x = [], [], 0
+    for i in range(5):
+        width, depth, height, first = 5 + i * 7 % 5, 8 + i * 3 % 5, 6 + i * 5 % 7, len(points)
+        points += [[x + width * (k & 1), depth * (k >> 1 & 1), height * (k >> 2)] for k in range(8)]
+        polygons += [[first + k for k in side] for side in
+                     ([0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6])]
+        x += width + 0.2 * (1 + i % 3)
+    return producer(polydata(points, polygons))
+
+
+def draw_houses(folder):
+    parts = []
+    for width in 0, 1:
+        mesher = simple.CartesianMesher(Input=row_of_houses(), Domain="Outside", BoxFrom="Bounds", DomainBounds=[-20, 60, -20, 30, 0, 30],
+                                        Ground="zMin", CellSize=1, CloseGaps=width)
+        data = output(mesher).GetFieldData()
+        view = simple.CreateView("RenderView")
+        for i in range(data.GetArray("BoundaryIds").GetNumberOfTuples()):
+            name, number = data.GetAbstractArray("BoundaryNames").GetValue(i), data.GetArray("BoundaryIds").GetValue(i)
+            if name == "boundary_0" or name.startswith("gap_"):
+                display = show(simple.Threshold(Input=simple.OutputPort(mesher, "Boundary"), Scalars=["CELLS", "BoundaryId"],
+                                                LowerThreshold=number - 0.1, UpperThreshold=number + 0.1), view, "BoundaryId")
+                simple.ColorBy(display, None)
+                display.DiffuseColor = [0.6, 0.75, 0.9] if name == "boundary_0" else [0.95, 0.55, 0.25]
+        parts.append(folder / f"{width}.png")
+        picture(parts[-1], view, [-0.2, -1, 0.8], 2, [560, 300])
+    joined("houses.png", parts)
+
+
 def draw_terrain(_):
     """The page's mesh, cut open behind the house."""
     names = {}
@@ -271,7 +302,7 @@ CUT = [51, 100, -3]  # in the middle of a tube of the header
 
 DRAWN = {"task": draw_task, "flow": draw_flow, "layers": draw_layers, "adaptation": draw_adaptation,
          "jacket": draw_jacket, "regions": draw_regions, "cad": draw_cad, "slices": draw_slices,
-         "rims": draw_rims, "gaps": draw_gaps, "terrain": draw_terrain}
+         "rims": draw_rims, "gaps": draw_gaps, "houses": draw_houses, "terrain": draw_terrain}
 for name in sys.argv[3:] or DRAWN:
     with tempfile.TemporaryDirectory() as folder:
         DRAWN[name](pathlib.Path(folder))

@@ -167,8 +167,8 @@ private:
     }
   }
 
-  // The largest part is the first region.
-  std::int32_t giveRegions(const std::vector<std::uint32_t>& triangles, Surface& own) const
+  // The largest is the first region.
+  std::vector<std::uint32_t> inOrder(const std::vector<std::uint32_t>& triangles) const
   {
     std::set<std::uint32_t> parts;
     for (const std::uint32_t t : triangles)
@@ -178,41 +178,70 @@ private:
     std::vector<std::uint32_t> order(parts.begin(), parts.end());
     std::stable_sort(order.begin(), order.end(),
       [&](std::uint32_t a, std::uint32_t b) { return parts_.volume(a) > parts_.volume(b); });
+    return order;
+  }
+
+  // Parts of which it is not certain what they enclose then stay as they are, and others are joined without them.
+  void joinGroup(const std::vector<std::uint32_t>& triangles)
+  {
+    std::vector<std::uint32_t> parts = inOrder(triangles);
+    while (parts.size() > 1)
+    {
+      const std::set<std::size_t> uncertain = joinRegions(triangles, parts);
+      if (uncertain.empty())
+      {
+        return;
+      }
+      std::vector<std::uint32_t> left;
+      for (std::size_t i = 0; i < parts.size(); ++i)
+      {
+        if (uncertain.count(i) == 0)
+        {
+          left.push_back(parts[i]);
+        }
+      }
+      parts = std::move(left);
+    }
+  }
+
+  // Returns those of the parts that are uncertain; if there are none, all are joined.
+  std::set<std::size_t> joinRegions(
+    const std::vector<std::uint32_t>& triangles, const std::vector<std::uint32_t>& parts)
+  {
     std::map<std::uint32_t, std::int32_t> regions;
-    for (const std::uint32_t part : order)
+    for (const std::uint32_t part : parts)
     {
       regions.emplace(part, FirstRegion + static_cast<std::int32_t>(regions.size()));
     }
-    for (const std::uint32_t t : triangles)
+    std::vector<std::uint32_t> own;
+    std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(own),
+      [&](std::uint32_t t) { return regions.count(parts_.of(t)) > 0; });
+    Surface all = partOf(surface_, own);
+    for (const std::uint32_t t : own)
     {
-      own.region.push_back(regions.at(parts_.of(t)));
+      all.region.push_back(regions.at(parts_.of(t)));
     }
-    own.given.resize(own.triangles.size(), ClosesAHole);
-    return static_cast<std::int32_t>(regions.size());
-  }
-
-  void joinGroup(const std::vector<std::uint32_t>& triangles)
-  {
-    Surface own = partOf(surface_, triangles);
-    const Bodies bodies{ giveRegions(triangles, own), {} };
-    if (bodies.regions == 1)
-    {
-      return;
-    }
+    all.given.resize(all.triangles.size(), ClosesAHole);
     std::vector<ClosedContact> contacts;
     Surface arranged;
     std::vector<std::uint32_t> crossing;
-    const Surface walls = wallsWithContacts(own, own.withoutTriangles(), bodies,
-      { width_, boundaryOfStrips_ }, contacts, arranged, crossing, execution_);
-    if (!crossing.empty())
+    const Surface walls = wallsWithContacts(all, all.withoutTriangles(),
+      { static_cast<std::int32_t>(parts.size()), {} }, { width_, boundaryOfStrips_ }, contacts,
+      arranged, crossing, execution_);
+    std::set<std::size_t> uncertain;
+    for (const std::uint32_t t : crossing)
     {
-      result_.refused.push_back(middleOf(arranged, crossing.front()));
+      if (uncertain.insert(static_cast<std::size_t>(arranged.region[t] - FirstRegion)).second)
+      {
+        result_.refused.push_back(middleOf(arranged, t));
+      }
     }
-    else if (!contacts.empty())
+    if (crossing.empty() && !contacts.empty())
     {
       takeOutside(walls, contacts);
-      joined_.insert(near_.find(parts_.of(triangles.front())));
+      joined_.insert(parts.begin(), parts.end());
     }
+    return uncertain;
   }
 
   // What is left of the parts, and the strips, those that are connected as one gap.
@@ -283,8 +312,7 @@ private:
     }
     for (std::size_t t = 0; t < surface_.given.size(); ++t)
     {
-      const bool isTaken = parts_.of(t) != NoPart && joined_.count(near_.find(parts_.of(t))) > 0;
-      if (!isTaken && !namesAVertexTwice(surface_.triangles[t]) &&
+      if (joined_.count(parts_.of(t)) == 0 && !namesAVertexTwice(surface_.triangles[t]) &&
         bodies.count(bodyOf(surface_.given[t])) > 0)
       {
         result_.pieces.push_back({ surface_.given[t], surface_.corners(t) });
@@ -307,7 +335,7 @@ private:
   ClosedParts parts_;
   DisjointSets near_; // parts
   std::int32_t boundaryOfStrips_;
-  std::set<std::uint32_t> joined_; // groups
+  std::set<std::uint32_t> joined_; // parts
   PartGaps result_;
 };
 

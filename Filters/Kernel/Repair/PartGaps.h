@@ -4,10 +4,10 @@
 // Parts that face each other within a width become regions, the largest first, whose walls become one as those of regions that
 // touch nearly (Contacts.h): so a later part reaches up to the earlier one, strips stand across the gap in the planes of the
 // walls beside it, and of both parts nothing moves. What is outside of all regions is left then as one surface. Parts that
-// are near each other are joined group by group: where that fails, others are joined all the same. The method is this
-// project's own.
+// are near each other are joined group by group, without those of which it is not certain what they enclose then. The method
+// is this project's own.
 //
-// Limits: walls of one part that face each other leave a gap as it is; so do walls that lean from each other by more than 60 degrees.
+// Limits: where several gaps meet, a channel as wide as they are stays open; walls of one part that face each other leave a gap as it is; so do walls that lean from each other by more than 60 degrees.
 #pragma once
 
 #include "Lattice/Vector.h"
