@@ -281,6 +281,44 @@ def draw_terrain(_):
     picture("terrain.png", view, [0.5, -1, 0.6], 1.25)
 
 
+def stratum(low, high):
+    """Between two fields of heights, each with as many lines as it likes."""
+    points, polygons = [], []
+    for heights, up in (low, False), (high, True):
+        count, first = len(heights), len(points)
+        points += [[2 * i / (count - 1), j / (count - 1), heights[i, j]] for i in range(count) for j in range(count)]
+        for i in range(count - 1):
+            for j in range(count - 1):
+                a, b, c, d = (first + i * count + j for i, j in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
+                polygons += [[a, b, c], [a, c, d]] if up else [[a, c, b], [a, d, c]]
+    below, above = len(low), len(high)
+    at = [lambda i, j: i * below + j, lambda i, j: below * below + i * above + j]
+    for side in range(4):
+        lines = [[at[k](*((i, 0), (n - 1, i), (n - 1 - i, n - 1), (0, n - 1 - i))[side]) for i in range(n)]
+                 for k, n in enumerate((below, above))]
+        polygons.append(lines[0] + lines[1][::-1])
+    return simple.Triangulate(Input=producer(polydata(points, polygons)))
+
+
+def draw_strata(folder):
+    """Rough interfaces that do not match: as they are, and the mesh."""
+    random = np.random.default_rng(3)
+    wave = [(lambda n, k=k: 0.25 * k + 0.05 * np.sin(3 * np.linspace(0, 2, n) + k)[:, None] + np.zeros((n, n))) for k in range(6)]
+    rough = [[wave[k](n) + 0.02 * random.uniform(-1, 1, (n, n)) for n in (9 + k, 13 - k)] for k in range(6)]
+    names = [f"stratum_{k + 1}" for k in range(5)]
+    strata = simple.GroupDatasets(Input=[stratum(rough[k][1], rough[k + 1][0]) for k in range(5)], BlockNames=names)
+    mesher = simple.CartesianMesher(Input=strata, RegionsFrom="Blocks", ContactTolerance=0.1, CellSize=0.05)
+    view = simple.CreateView("RenderView")
+    section = simple.SlicePolyhedra(Input=mesher, Origin=[0, 0.51, 0], Normal=[0, 1, 0])
+    display = show(section, view, "Region")
+    display.Representation = "Surface"
+    display.SetScalarBarVisibility(view, False)
+    edges = simple.Show(simple.ExtractEdges(Input=section), view)
+    edges.ColorArrayName, edges.DiffuseColor, edges.Position = ["CELLS", ""], [0.3, 0.3, 0.3], [0, -0.005, 0]
+    simple.GetColorTransferFunction("Region").RGBPoints = [1, 0.75, 0.65, 0.5, 2, 0.9, 0.85, 0.65, 3, 0.65, 0.8, 0.9, 4, 0.9, 0.7, 0.5, 5, 0.75, 0.85, 0.6]
+    picture("strata.png", view, [0, -1, 0], 1.6, [800, 520])
+
+
 def draw_cad(_):
     """A section of the page's regions."""
     names = {}
@@ -302,7 +340,7 @@ CUT = [51, 100, -3]  # in the middle of a tube of the header
 
 DRAWN = {"task": draw_task, "flow": draw_flow, "layers": draw_layers, "adaptation": draw_adaptation,
          "jacket": draw_jacket, "regions": draw_regions, "cad": draw_cad, "slices": draw_slices,
-         "rims": draw_rims, "gaps": draw_gaps, "houses": draw_houses, "terrain": draw_terrain}
+         "rims": draw_rims, "gaps": draw_gaps, "houses": draw_houses, "strata": draw_strata, "terrain": draw_terrain}
 for name in sys.argv[3:] or DRAWN:
     with tempfile.TemporaryDirectory() as folder:
         DRAWN[name](pathlib.Path(folder))
