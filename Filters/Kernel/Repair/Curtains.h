@@ -3,6 +3,7 @@
 //
 // A strip runs along the walls beside the rim, as far as these do not lean too much: so what is flush stays flat. The
 // normals of these are means over all that is in one plane with them, as those of small triangles are not exact. In levels.
+// The method is the project's own.
 #pragma once
 
 #include "Lattice/Vector.h"
