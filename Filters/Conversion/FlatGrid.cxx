@@ -5,12 +5,14 @@
 #include "BoundaryOfFaces.h"
 #include "GridFaces.h"
 #include "PolyhedronStorage.h"
+#include "Sections/SideMerging.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkStringArray.h"
@@ -63,6 +65,9 @@ public:
     turnOutward(faces_.cells, faces_.points.data(), execution);
     given_ = boundariesOf(grid, faces_, execution);
     side_ = facesOfSide(faces_.cells, faces_.points, spec.across);
+    mergeSkew(
+      faces_.points, [&](std::uint32_t a, std::uint32_t b) { return regionOf(a) == regionOf(b); },
+      [&](std::size_t face) { return face < given_.size() && given_[face] == Inner; }, side_);
     flat_ = sweep(side_, faces_.points, spec);
     names_ = readBoundaryTexts(grid, "BoundaryNames");
     types_ = readBoundaryTexts(grid, "BoundaryTypes");
@@ -84,6 +89,12 @@ public:
   }
 
 private:
+  int regionOf(std::uint32_t cell) const
+  {
+    auto* regions = vtkIntArray::SafeDownCast(grid_->GetCellData()->GetArray("Region"));
+    return regions ? regions->GetValue(faces_.cellOf[cell]) : 0;
+  }
+
   vtkIdType boundaryOf(std::size_t face) const
   {
     const std::size_t source = flat_.source[face];

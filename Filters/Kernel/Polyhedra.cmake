@@ -49,6 +49,7 @@ add_library(CartesianPolyhedra STATIC
   Sections/PlaneSection.cpp
   Sections/PolygonBridges.cpp
   Sections/SideFaces.cpp
+  Sections/SideMerging.cpp
   Sections/StarPoint.cpp
   Report/Canvas.cpp
   Report/HistogramDrawing.cpp

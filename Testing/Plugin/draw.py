@@ -1,7 +1,7 @@
 """xvfb-run -a pvpython draw.py REPOSITORY PROGRAM [NAME ...]: makes pictures of the help pages: of the mesh of
 their task cut open (task), of a flow that OpenFOAM computed (flow), of a mesh that
 follows a solution (adaptation), of layers (layers), of the coolant jacket (jacket), of sections (slices), of
-cells around a rim (rims), of gaps that are closed (gaps, houses), of terrain (terrain), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
+cells around a rim (rims), of gaps that are closed (gaps, houses), of terrain (terrain), of strata and flat meshes (strata, flat), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
 of the exhaust header (regions; needs the folder of surfaces in SURFACES). PROGRAM is cartesian-mesher; the others are made by
 demo.sh, TestImages.py and Window/photograph.py."""
 
@@ -319,6 +319,29 @@ def draw_strata(folder):
     picture("strata.png", view, [0, -1, 0], 1.6, [800, 520])
 
 
+def draw_flat(folder):
+    """The page's plane mesh and wedge."""
+    parts = []
+    examples = blocks(HELP / "filters.FlatMesh.md", "python")
+    for number, (name, example, towards, focus, scale) in enumerate((
+            ("flat", examples[0].split("SaveData")[0], [0, 0, 10], [0.3, 0, 0], 1.1), ("wedge", examples[2], [-3, -4, 10], [0, 0.5, 0], 1.1))):
+        names = {}
+        exec(example, names)
+        view = simple.CreateView("RenderView")
+        display = show(names[name], view, "CellId")
+        simple.ColorBy(display, None)
+        display.DiffuseColor, display.LineWidth = [0.75, 0.85, 0.95], 1.5
+        parts.append(folder / f"{number}.png")
+        picture(parts[-1], view, towards, 1, [560, 400])
+        camera = simple.GetActiveCamera()
+        camera.SetFocalPoint(*focus)
+        camera.SetPosition(*(focus[i] + towards[i] for i in range(3)))
+        camera.SetViewUp(0, 1, 0)
+        view.CameraParallelProjection, view.CameraParallelScale = 1, scale
+        simple.SaveScreenshot(str(parts[-1]), view)
+    joined("flat.png", parts)
+
+
 def draw_cad(_):
     """A section of the page's regions."""
     names = {}
@@ -340,7 +363,7 @@ CUT = [51, 100, -3]  # in the middle of a tube of the header
 
 DRAWN = {"task": draw_task, "flow": draw_flow, "layers": draw_layers, "adaptation": draw_adaptation,
          "jacket": draw_jacket, "regions": draw_regions, "cad": draw_cad, "slices": draw_slices,
-         "rims": draw_rims, "gaps": draw_gaps, "houses": draw_houses, "strata": draw_strata, "terrain": draw_terrain}
+         "rims": draw_rims, "gaps": draw_gaps, "houses": draw_houses, "strata": draw_strata, "flat": draw_flat, "terrain": draw_terrain}
 for name in sys.argv[3:] or DRAWN:
     with tempfile.TemporaryDirectory() as folder:
         DRAWN[name](pathlib.Path(folder))

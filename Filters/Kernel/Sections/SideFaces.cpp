@@ -12,12 +12,6 @@ namespace
 
 using DirectedEdge = std::array<std::uint32_t, 2>;
 
-struct Corner
-{
-  std::uint32_t point;
-  std::size_t beside; // face
-};
-
 class SideFinder
 {
 public:
@@ -35,7 +29,6 @@ public:
     {
       isOnSide_[p] = points[3 * p + axis] == lowest;
     }
-    result_.firstCorner.push_back(0);
   }
 
   SideFaces find()
@@ -88,59 +81,26 @@ private:
       const auto at = faceAt.find({ edge[1], edge[0] });
       return at != faceAt.end() ? at->second : cells_.faceCount();
     };
-    if (own_.size() > 1 && addUnited(cell, beside))
+    std::vector<SideEdge> all;
+    for (const std::size_t f : own_)
     {
+      forEachEdge(f, [&](const DirectedEdge& edge) {
+        all.push_back({ edge[0], edge[1], beside(edge) });
+      });
+    }
+    if (const std::vector<SideEdge> border = borderOf(all); !border.empty())
+    {
+      addPolygon(border, cell, result_);
       return;
     }
     for (const std::size_t f : own_)
     {
+      std::vector<SideEdge> one;
       forEachEdge(f, [&](const DirectedEdge& edge) {
-        result_.corners.push_back(edge[0]);
-        result_.beside.push_back(beside(edge));
+        one.push_back({ edge[0], edge[1], beside(edge) });
       });
-      finish(cell);
+      addPolygon(one, cell, result_);
     }
-  }
-
-  // False if their border is more than one loop.
-  template <class Beside>
-  bool addUnited(std::uint32_t cell, Beside&& beside)
-  {
-    std::map<std::uint32_t, DirectedEdge> from; // edges of the border, by their first points
-    std::size_t count = 0;
-    for (const std::size_t f : own_)
-    {
-      forEachEdge(f, [&](const DirectedEdge& edge) {
-        if (std::find(own_.begin(), own_.end(), beside(edge)) == own_.end())
-        {
-          from.emplace(edge[0], edge);
-          ++count;
-        }
-      });
-    }
-    std::vector<DirectedEdge> loop;
-    for (auto at = from.begin(); at != from.end(); at = from.find(loop.back()[1]))
-    {
-      loop.push_back(at->second);
-      from.erase(at);
-    }
-    if (loop.size() != count || loop.empty() || loop.back()[1] != loop.front()[0])
-    {
-      return false;
-    }
-    for (const DirectedEdge& edge : loop)
-    {
-      result_.corners.push_back(edge[0]);
-      result_.beside.push_back(beside(edge));
-    }
-    finish(cell);
-    return true;
-  }
-
-  void finish(std::uint32_t cell)
-  {
-    result_.firstCorner.push_back(result_.corners.size());
-    result_.cellOf.push_back(cell);
   }
 
   const CellFaces& cells_;
@@ -149,6 +109,45 @@ private:
   SideFaces result_;
 };
 
+}
+
+std::vector<SideEdge> borderOf(const std::vector<SideEdge>& edges)
+{
+  std::map<DirectedEdge, std::size_t> all;
+  for (const SideEdge& edge : edges)
+  {
+    all.emplace(DirectedEdge{ edge.from, edge.to }, edge.beside);
+  }
+  std::map<std::uint32_t, SideEdge> from;
+  std::size_t count = 0;
+  for (const auto& [edge, beside] : all)
+  {
+    if (all.count({ edge[1], edge[0] }) == 0)
+    {
+      from.emplace(edge[0], SideEdge{ edge[0], edge[1], beside });
+      ++count;
+    }
+  }
+  std::vector<SideEdge> border;
+  for (auto at = from.begin(); at != from.end(); at = from.find(border.back().to))
+  {
+    border.push_back(at->second);
+    from.erase(at);
+  }
+  const bool isLoop =
+    border.size() == count && count > 0 && border.back().to == border.front().from;
+  return isLoop ? border : std::vector<SideEdge>();
+}
+
+void addPolygon(const std::vector<SideEdge>& border, std::uint32_t cell, SideFaces& side)
+{
+  for (const SideEdge& edge : border)
+  {
+    side.corners.push_back(edge.from);
+    side.beside.push_back(edge.beside);
+  }
+  side.firstCorner.push_back(side.corners.size());
+  side.cellOf.push_back(cell);
 }
 
 SideFaces facesOfSide(const CellFaces& cells, const std::vector<double>& points, std::size_t axis)

@@ -7,16 +7,38 @@
 namespace cartesian
 {
 
+struct SideEdge
+{
+  std::uint32_t from;
+  std::uint32_t to;
+  std::size_t beside; // the cell's face there
+};
+
 struct SideFaces
 {
-  std::vector<std::size_t> firstCorner; // of each polygon, and the end
-  std::vector<std::uint32_t> corners;   // points, counter-clockwise from outside the mesh
+  std::vector<std::size_t> firstCorner{ 0 }; // of each polygon, and the end
+  std::vector<std::uint32_t> corners;        // points, counter-clockwise from outside the mesh
   std::vector<std::size_t>
     beside; // of each corner: the cell's face at the edge from it to the next
   std::vector<std::uint32_t> cellOf; // of each polygon
 
   std::size_t count() const { return cellOf.size(); }
+  std::size_t size(std::size_t polygon) const
+  {
+    return firstCorner[polygon + 1] - firstCorner[polygon];
+  }
+  SideEdge edge(std::size_t polygon, std::size_t i) const
+  {
+    const std::size_t first = firstCorner[polygon];
+    return { corners[first + i], corners[first + (i + 1) % size(polygon)], beside[first + i] };
+  }
 };
+
+// What is left of edges of polygons where those that are there in both directions are left out, in turn; empty if that is not one
+// loop.
+std::vector<SideEdge> borderOf(const std::vector<SideEdge>& edges);
+
+void addPolygon(const std::vector<SideEdge>& border, std::uint32_t cell, SideFaces& side);
 
 // Those whose corners all have the lowest coordinate along an axis that any point has, exactly; polygons that one cell has
 // beside each other are united, unless that leaves a hole. In order of cells. `cells`: with corners counter-clockwise
