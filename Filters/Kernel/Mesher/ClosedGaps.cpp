@@ -3,6 +3,8 @@
 
 #include "Base/DisjointSets.h"
 #include "Mesher/Mesher.h"
+#include "Mesher/ViewWithGaps.h"
+#include "Repair/RimStrips.h"
 #include "Surface/Places.h"
 #include "Surface/SurfaceEdges.h"
 
@@ -162,33 +164,69 @@ public:
     , points_(pointsAt(prepared_.surface, view))
     , parts_(prepared_.surface, execution)
   {
-    const std::vector<std::uint8_t>& open = prepared_.openSheets.isOfOne;
-    if (!options.baffles.empty() || !open.empty())
-    {
-      doubleSheets(prepared_.surface, options.baffles, open,
-        options.contactTolerance / prepared_.surface.lattice.step(), execution);
-    }
   }
 
-  ClosedGaps close()
+  // Between rims that face each other.
+  std::vector<ClosedGap> strips() const
+  {
+    std::vector<ClosedGap> strips;
+    forEachRegion([&](Surface& surface, std::int32_t region) {
+      surface.region.assign(surface.triangles.size(), region);
+      takeBaffles(surface, options_.baffles);
+      const double step = surface.lattice.step();
+      for (const RimStrip& strip : findRimStrips(surface, options_.closeGaps / step, execution_))
+      {
+        if (strip.width >= smallestBoxAt(strip.rim, surface))
+        {
+          strips.push_back(gapOf(strip.rim, region, strip.width * step));
+          addTriangles(strip.triangles, strips.back());
+        }
+      }
+    });
+    return strips;
+  }
+
+  // `strips`: of the view already; first in the result.
+  ClosedGaps close(std::vector<ClosedGap> strips)
+  {
+    result_.gaps = std::move(strips);
+    for (std::size_t i = 0; i < result_.gaps.size(); ++i)
+    {
+      for (const auto& [a, b, c] : result_.gaps[i].triangles)
+      {
+        stripAt_.insert({ { edgeOf(a, b), i }, { edgeOf(b, c), i }, { edgeOf(c, a), i } });
+      }
+    }
+    const std::vector<std::uint8_t>& open = prepared_.openSheets.isOfOne;
+    if (!options_.baffles.empty() || !open.empty())
+    {
+      doubleSheets(prepared_.surface, options_.baffles, open,
+        options_.contactTolerance / prepared_.surface.lattice.step(), execution_);
+    }
+    forEachRegion([&](Surface& surface, std::int32_t region) { closeIn(surface, region); });
+    std::sort(result_.panes.begin(), result_.panes.end());
+    return std::move(result_);
+  }
+
+private:
+  // With a copy of its surface.
+  template <class Visitor>
+  void forEachRegion(Visitor&& visit) const
   {
     if (prepared_.surface.region.empty())
     {
       Surface all = prepared_.surface;
-      closeIn(all, OutsideRegion);
+      visit(all, OutsideRegion);
     }
     const std::set<std::int32_t> regions(
       prepared_.surface.region.begin(), prepared_.surface.region.end());
     for (const std::int32_t region : regions)
     {
       Surface own = ofRegion(prepared_.surface, region);
-      closeIn(own, region);
+      visit(own, region);
     }
-    std::sort(result_.panes.begin(), result_.panes.end());
-    return std::move(result_);
   }
 
-private:
   void closeIn(Surface& surface, std::int32_t region)
   {
     const SurfaceRepair repaired =
@@ -196,7 +234,7 @@ private:
     for (const Hole& hole : repaired.holes)
     {
       const double width = hole.width * surface.lattice.step();
-      if (hole.width < smallestBoxAt(hole, surface) || width > options_.closeGaps)
+      if (hole.width < smallestBoxAt(hole.rim, surface) || width > options_.closeGaps)
       {
         continue;
       }
@@ -205,30 +243,71 @@ private:
         result_.panes.insert(result_.panes.end(), pane.begin(), pane.end());
         continue;
       }
-      ClosedGap gap;
-      gap.region = region;
-      gap.width = width;
-      for (const std::uint32_t vertex : hole.rim)
+      ClosedGap gap = gapOf(hole.rim, region, width);
+      ClosedGap* const strip = stripAt(gap.rim);
+      const auto first = surface.triangles.begin() + std::ptrdiff_t(hole.firstTriangle);
+      addTriangles({ first, first + std::ptrdiff_t(hole.triangles) }, strip ? *strip : gap);
+      if (strip)
       {
-        gap.rim.push_back(points_[vertex]);
+        strip->width = std::max(strip->width, width);
       }
-      for (std::size_t t = hole.firstTriangle; t < hole.firstTriangle + hole.triangles; ++t)
+      else
       {
-        const auto& corners = surface.triangles[t];
-        gap.triangles.push_back({ points_[corners[0]], points_[corners[1]], points_[corners[2]] });
+        result_.gaps.push_back(std::move(gap));
       }
-      result_.gaps.push_back(std::move(gap));
     }
   }
 
+  ClosedGap gapOf(const std::vector<std::uint32_t>& rim, std::int32_t region, double width) const
+  {
+    ClosedGap gap;
+    gap.region = region;
+    gap.width = width;
+    for (const std::uint32_t vertex : rim)
+    {
+      gap.rim.push_back(points_[vertex]);
+    }
+    return gap;
+  }
+
+  void addTriangles(
+    const std::vector<std::array<std::uint32_t, 3>>& triangles, ClosedGap& gap) const
+  {
+    for (const auto& [a, b, c] : triangles)
+    {
+      gap.triangles.push_back({ points_[a], points_[b], points_[c] });
+    }
+  }
+
+  using Edge = std::array<std::uint32_t, 2>;
+
+  static Edge edgeOf(std::uint32_t a, std::uint32_t b)
+  {
+    return { std::min(a, b), std::max(a, b) };
+  }
+
+  // The first along the rim of a hole; null: there is none.
+  ClosedGap* stripAt(const std::vector<std::uint32_t>& rim)
+  {
+    for (std::size_t i = 0; i < rim.size(); ++i)
+    {
+      const auto found = stripAt_.find(edgeOf(rim[i], rim[(i + 1) % rim.size()]));
+      if (found != stripAt_.end())
+      {
+        return &result_.gaps[found->second];
+      }
+    }
+    return nullptr;
+  }
+
   // Its shortest side, levels.
-  double smallestBoxAt(const Hole& hole, const Surface& surface) const
+  double smallestBoxAt(const std::vector<std::uint32_t>& rim, const Surface& surface) const
   {
     Vector centre{};
-    for (const std::uint32_t vertex : hole.rim)
+    for (const std::uint32_t vertex : rim)
     {
-      centre = plus(centre,
-        scaled(toVector(surface.vertices[vertex]), 1. / static_cast<double>(hole.rim.size())));
+      centre = plus(
+        centre, scaled(toVector(surface.vertices[vertex]), 1. / static_cast<double>(rim.size())));
     }
     return std::ldexp(narrowestSide(prepared_.planes, centre), -depthAtSurface(options_));
   }
@@ -236,8 +315,9 @@ private:
   const Options& options_;
   Execution& execution_;
   PreparedSurface prepared_;
-  std::vector<std::uint32_t> points_; // of the view, at vertices
-  Parts parts_;                       // before anything is repaired
+  std::vector<std::uint32_t> points_;   // of the view, at vertices
+  Parts parts_;                         // before anything is repaired
+  std::map<Edge, std::size_t> stripAt_; // points of the view
   ClosedGaps result_;
 };
 
@@ -246,7 +326,22 @@ private:
 ClosedGaps closedGaps(const SurfaceView& view, const Options& options, Execution& execution)
 {
   requireInRange(Options::GapWidths, options.closeGaps, "Close Gaps");
-  return options.closeGaps > 0 ? GapCloser(view, options, execution).close() : ClosedGaps();
+  if (options.closeGaps == 0)
+  {
+    return {};
+  }
+  GapCloser closer(view, options, execution);
+  std::vector<ClosedGap> strips = closer.strips();
+  if (strips.empty())
+  {
+    return closer.close({});
+  }
+  const ViewWithGaps whole(view, strips);
+  ClosedGaps closed = GapCloser(whole.view(), options, execution).close(std::move(strips));
+  const auto given = [&](std::uint32_t triangle) { return triangle < view.triangleCount; };
+  closed.panes.erase(
+    std::partition_point(closed.panes.begin(), closed.panes.end(), given), closed.panes.end());
+  return closed;
 }
 
 }

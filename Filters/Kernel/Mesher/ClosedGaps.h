@@ -6,7 +6,9 @@
 // Holes.h, whose width this is too; other holes stay for it. With several regions each is closed by itself.
 // Where the rim of a hole is the edge of three walls at least, it is closed already, as by the pane of a window between the skin
 // and the lining of a door: the smallest of these walls that ends there is a sheet, whose two sides are walls.
-// Limits: gaps between closed parts are none; where two rims face each other, as of a lid and its frame, each is closed by itself.
+// Where two rims face each other, as of a lid and its frame, strips between them (RimStrips.h) come first; a hole that touches one is
+// closed as a part of it.
+// Limits: gaps between closed parts are none.
 #pragma once
 
 #include "Mesher/Options.h"
@@ -24,7 +26,7 @@ struct ClosedGap
 
 struct ClosedGaps
 {
-  std::vector<ClosedGap> gaps;      // in order of their lowest points
+  std::vector<ClosedGap> gaps;      // strips, then holes in order of their lowest points
   std::vector<std::uint32_t> panes; // triangles of the view that are of such sheets, ascending
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/Holes.h"
 
-#include "Base/Sorting.h"
 #include "Lattice/Vector.h"
+#include "Repair/RimLoops.h"
 #include "Surface/Places.h"
 
 #include <cmath>
@@ -22,117 +22,6 @@ constexpr std::size_t MostRimEdges = 128;
 
 // A lid of a sheet has more than this part of the area of the triangles along its rim.
 constexpr double LeastLid = 0.7;
-
-// An open edge, as seen from one of its ends.
-struct RimEdge
-{
-  std::uint32_t from;
-  std::uint32_t to;
-  std::uint32_t triangle;
-  int along; // triangles that run this way minus those that run the other way
-
-  bool operator<(const RimEdge& other) const
-  {
-    return from != other.from ? from < other.from : to < other.to;
-  }
-};
-
-// Edges that an odd number of triangles use, listed from both ends.
-std::vector<RimEdge> findRims(const SurfaceEdges& edges)
-{
-  std::vector<RimEdge> rims;
-  edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-    if ((end - begin) % 2 == 1)
-    {
-      const auto down = std::count_if(begin, end, [](const EdgeUse& use) { return use.down(); });
-      const auto up = static_cast<int>((end - begin) - 2 * down);
-      rims.push_back({ lower, begin->upper, begin->triangle(), up });
-      rims.push_back({ begin->upper, lower, begin->triangle(), -up });
-    }
-  });
-  std::sort(rims.begin(), rims.end());
-  return rims;
-}
-
-// Separates rims into loops that visit no vertex twice.
-class RimTracer
-{
-public:
-  RimTracer(const std::vector<RimEdge>& rims, std::size_t vertices)
-    : rims_(rims)
-    , used_(rims.size())
-    , next_(vertices + 1)
-    , place_(vertices, NotOnWalk)
-  {
-    for (const RimEdge& rim : rims)
-    {
-      ++next_[rim.from];
-    }
-    scan(next_);
-    end_.assign(next_.begin() + 1, next_.end());
-  }
-
-  // Calls visit(begin, end) with the edges of each loop, in order.
-  template <class Visitor>
-  void forEachLoop(Visitor&& visit)
-  {
-    for (const RimEdge& first : rims_)
-    {
-      std::uint32_t at = first.from;
-      place_[at] = 0;
-      while (const RimEdge* edge = take(at))
-      {
-        walk_.push_back(*edge);
-        at = edge->to;
-        if (place_[at] != NotOnWalk)
-        {
-          visit(walk_.data() + place_[at], walk_.data() + walk_.size());
-          cutBack(place_[at]);
-        }
-        place_[at] = walk_.size();
-      }
-      place_[first.from] = NotOnWalk; // every vertex has an even number of edges: the walk is over
-    }
-  }
-
-private:
-  static constexpr std::size_t NotOnWalk = ~std::size_t(0);
-
-  // An unused edge from a vertex, or null.
-  const RimEdge* take(std::uint32_t vertex)
-  {
-    std::size_t& next = next_[vertex];
-    while (next != end_[vertex] && used_[next])
-    {
-      ++next;
-    }
-    if (next == end_[vertex])
-    {
-      return nullptr;
-    }
-    const RimEdge& edge = rims_[next];
-    used_[next] = true;
-    const auto back =
-      std::lower_bound(rims_.begin(), rims_.end(), RimEdge{ edge.to, vertex, 0, 0 });
-    used_[static_cast<std::size_t>(back - rims_.begin())] = true;
-    return &edge;
-  }
-
-  void cutBack(std::size_t size)
-  {
-    for (; walk_.size() > size; walk_.pop_back())
-    {
-      place_[walk_.back().to] = NotOnWalk;
-    }
-  }
-
-  const std::vector<RimEdge>& rims_;
-  std::vector<bool> used_;
-  std::vector<std::size_t> next_; // edge from each vertex
-  std::vector<std::size_t> end_;
-  std::vector<std::size_t> place_; // of a vertex on the walk
-  std::vector<RimEdge> walk_;
-};
 
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -279,22 +168,12 @@ struct RimLoop
   std::vector<RimEdge> edges; // from the lowest vertex on
   double length = 0;          // levels
   Vector centre{};
-
-  bool operator<(const RimLoop& other) const
-  {
-    return edges[0].from != other.edges[0].from ? edges[0].from < other.edges[0].from
-                                                : edges[0].to < other.edges[0].to;
-  }
 };
 
-RimLoop loopOf(const RimEdge* begin, const RimEdge* end, const Surface& surface)
+RimLoop loopOf(std::vector<RimEdge> edges, const Surface& surface)
 {
   RimLoop loop;
-  loop.edges.assign(begin, end);
-  std::rotate(loop.edges.begin(),
-    std::min_element(loop.edges.begin(), loop.edges.end(),
-      [](const RimEdge& a, const RimEdge& b) { return a.from < b.from; }),
-    loop.edges.end());
+  loop.edges = std::move(edges);
   for (const RimEdge& edge : loop.edges)
   {
     const Point& p = surface.vertices[edge.from];
@@ -360,20 +239,10 @@ void fill(const Surface& surface, const Meshlines& planes, Filling& filling)
 std::vector<Filling> fillingsOf(
   const Surface& surface, const SurfaceEdges& edges, const Meshlines& planes, Execution& execution)
 {
-  const std::vector<RimEdge> rims = findRims(edges);
-  std::vector<RimLoop> loops;
-  if (!rims.empty())
-  {
-    RimTracer(rims, surface.vertices.size())
-      .forEachLoop([&](const RimEdge* begin, const RimEdge* end) {
-        loops.push_back(loopOf(begin, end, surface));
-      });
-  }
-  std::sort(loops.begin(), loops.end());
   std::vector<Filling> fillings;
-  for (RimLoop& loop : loops)
+  for (std::vector<RimEdge>& rim : rimLoopsOf(surface, edges))
   {
-    fillings.push_back({ std::move(loop) });
+    fillings.push_back({ loopOf(std::move(rim), surface) });
   }
   execution.forEach(
     fillings.size(), 1, [&](std::size_t h, std::size_t) { fill(surface, planes, fillings[h]); });

@@ -313,3 +313,196 @@ TEST(ClosedGaps, WindowsOfBoxesThatFellApart)
     EXPECT_NEAR(volumeOf(prepared.surface), body.volume, 2 * Crack * body.wall);
   }
 }
+
+namespace
+{
+
+using Chain = std::vector<Vector>;
+
+// The triangles between an edge and a chain that runs along it, in a plane.
+void addBetween(const Vector& from, const Vector& to, const Chain& chain, Soup& soup)
+{
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  soup.points.push_back(from);
+  soup.points.insert(soup.points.end(), chain.begin(), chain.end());
+  soup.points.push_back(to);
+  for (auto p = first + 1; p + 1 < soup.points.size(); ++p)
+  {
+    soup.triangles.push_back({ first, p, p + 1 });
+  }
+}
+
+// A side of a rim, with random places between its ends.
+Chain divided(const Vector& from, const Vector& to, std::mt19937& random)
+{
+  std::vector<double> parts{ 0, 1 };
+  for (auto more = random() % 12; more > 0; --more)
+  {
+    parts.push_back(std::uniform_real_distribution<double>(0.02, 0.98)(random));
+  }
+  std::sort(parts.begin(), parts.end());
+  Chain chain;
+  for (const double part : parts)
+  {
+    chain.push_back(plus(scaled(from, 1 - part), scaled(to, part)));
+  }
+  return chain;
+}
+
+using Corners4 = std::array<Vector, 4>;
+
+// A rectangle at a height, the corners from one in turn.
+Corners4 rectangleAt(double z, const Vector& low, const Vector& high)
+{
+  return { { { low[0], low[1], z }, { high[0], low[1], z }, { high[0], high[1], z },
+    { low[0], high[1], z } } };
+}
+
+// Walls around, from the first rectangle to a rim at the second.
+void addWalls(const Corners4& from, const Corners4& rim, std::mt19937& random, Soup& soup)
+{
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const std::size_t next = (i + 1) % 4;
+    addBetween(from[i], from[next], divided(rim[i], rim[next], random), soup);
+  }
+}
+
+// A box from 0 to `size`, cut all around by a gap at half its height.
+Soup halves(const Vector& size, double gap, std::mt19937& random)
+{
+  Soup soup;
+  for (const bool isUpper : { false, true })
+  {
+    const Corners4 end = rectangleAt(isUpper ? size[2] : 0, { 0, 0, 0 }, size);
+    const double rim = size[2] / 2 + (isUpper ? gap : -gap) / 2;
+    addRectangle(end, soup);
+    addWalls(end, rectangleAt(rim, { 0, 0, 0 }, size), random, soup);
+  }
+  return soup;
+}
+
+// Whose heights differ along the rims, so that the gap is from half to one and a half times as wide.
+Soup unevenHalves(const Vector& size, double gap, std::mt19937& random)
+{
+  Soup soup = halves(size, gap, random);
+  std::uniform_real_distribution<double> by(-gap / 4, gap / 4);
+  std::map<Vector, double> moves;
+  for (Vector& point : soup.points)
+  {
+    if (point[2] > 0 && point[2] < size[2])
+    {
+      point[2] += moves.emplace(point, by(random)).first->second;
+    }
+  }
+  return soup;
+}
+
+// A box with a lid in its top, which a slot separates from the frame around it.
+Soup boxWithLid(const Vector& size, double gap, std::mt19937& random)
+{
+  const double border = 0.1 * size[0];
+  const Corners4 top = rectangleAt(size[2], { 0, 0, 0 }, size);
+  const Vector low{ border, border, 0 };
+  const Vector high = minus(size, low);
+  const Vector inwards{ gap, gap, 0 };
+  Soup soup;
+  const Corners4 bottom = rectangleAt(0, { 0, 0, 0 }, size);
+  addRectangle(bottom, soup);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    addRectangle({ bottom[i], bottom[(i + 1) % 4], top[(i + 1) % 4], top[i] }, soup);
+  }
+  addWalls(top, rectangleAt(size[2], low, high), random, soup);
+  const Vector middle{ size[0] / 2, size[1] / 2, size[2] };
+  addWalls({ { middle, middle, middle, middle } },
+    rectangleAt(size[2], plus(low, inwards), minus(high, inwards)), random, soup);
+  return soup;
+}
+
+double volumeOfBox(const Vector& size)
+{
+  return size[0] * size[1] * size[2];
+}
+
+double areaOfBox(const Vector& size)
+{
+  return 2 * (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
+}
+
+// One gap, which closes the box.
+void expectOneStrip(const Soup& open, const Vector& size, double gap, double cellSize)
+{
+  const std::vector<ClosedGap> gaps = gapsOf(open, cellSize, 1.05 * gap);
+  ASSERT_EQ(gaps.size(), 1U);
+  EXPECT_NEAR(gaps[0].width, gap, 1e-6 * gap);
+  const Soup whole = with(open, gaps);
+  const double scale = std::pow(volumeOfBox(size), 1. / 3);
+  EXPECT_NEAR(whole.area(), areaOfBox(size), 1e-9 * scale * scale);
+  const PreparedSurface prepared = prepare(whole, cellsOf(cellSize));
+  EXPECT_TRUE(prepared.repair.check.closed());
+  EXPECT_TRUE(prepared.repair.holes.empty());
+  EXPECT_NEAR(volumeOf(prepared.surface), volumeOfBox(size), 1e-7 * volumeOfBox(size));
+}
+
+const std::vector<Vector> Sizes{ { 1, 1.3, 0.8 }, { 40, 30, 20 }, { 0.02, 0.012, 0.01 } };
+
+std::array<Soup, 4> turnsOf(const Soup& soup)
+{
+  return { soup, soup.turned(2, 45), soup.turned(0, 30), soup.turned() };
+}
+
+}
+
+TEST(ClosedGaps, ABoxCutAllAround)
+{
+  std::mt19937 random(1);
+  for (const Vector& size : Sizes)
+  {
+    for (const double part : { 0.02, 0.07, 0.2 })
+    {
+      const double gap = part * size[2];
+      for (const Soup& open : turnsOf(halves(size, gap, random)))
+      {
+        SCOPED_TRACE(testing::Message() << size[0] << " " << part);
+        expectOneStrip(open, size, gap, 0.9 * gap);
+      }
+    }
+  }
+}
+
+TEST(ClosedGaps, ALidInAFrame)
+{
+  std::mt19937 random(2);
+  for (const Vector& size : Sizes)
+  {
+    for (const double part : { 0.02, 0.07, 0.2 })
+    {
+      const double gap = part * size[2];
+      for (const Soup& open : turnsOf(boxWithLid(size, gap, random)))
+      {
+        SCOPED_TRACE(testing::Message() << size[0] << " " << part);
+        expectOneStrip(open, size, gap, 0.9 * gap);
+      }
+    }
+  }
+}
+
+TEST(ClosedGaps, StripsOfRandomCuts)
+{
+  for (unsigned seed = 0; seed < repeats(200); ++seed)
+  {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> side(0.5, 2);
+    const Vector size{ side(random), side(random), side(random) };
+    const double gap = std::uniform_real_distribution<double>(0.02, 0.2)(random) * size[2];
+    const Soup open = unevenHalves(size, gap, random);
+    const Soup turned = std::array{ open, open.turned(int(seed % 3), 45), open.turned() }[seed % 3];
+    const std::vector<ClosedGap> gaps = gapsOf(turned, gap / 2, 1.6 * gap);
+    EXPECT_EQ(gaps.size(), 1U);
+    const Soup whole = with(turned, gaps);
+    EXPECT_NEAR(whole.area(), areaOfBox(size), 1e-9);
+    EXPECT_NEAR(std::abs(whole.volume()), volumeOfBox(size), 1e-9);
+  }
+}
