@@ -13,7 +13,8 @@ namespace cartesian
 namespace
 {
 
-// The cosine of half the angle of the cone that an edge looks into: 66 degrees, so that the corners of a frame see those of a lid.
+// The cosine of half the angle of the cone that an edge looks into, and of the largest angle between what two that face each other look
+// against: 66 degrees, so that the corners of a frame see those of a lid, but not its sides each other.
 constexpr double Ahead = 0.4;
 
 // The part of the reach that is searched first, then twice as much, and so on: it only takes time.
@@ -34,20 +35,18 @@ public:
     {
       away_[e] = awayFromTriangle(surface, e);
     }
+    for (std::size_t e = 0; e < rims.edges(); ++e)
+    {
+      awayAtStart_.push_back(unit(plus(away_[e], away_[rims.before(e)])));
+    }
   }
 
+  // Where the edge looks, or else both edges at its end together: the edges of a jagged rim look along it.
   std::optional<RimFoot> footOf(std::size_t e, std::size_t end) const
   {
-    const Vector place = end == 0 ? rims_.from(e) : plus(rims_.from(e), rims_.way(e));
-    const double most = widest_ / Ahead;
-    for (double reach = FirstReach * most;; reach *= 2)
-    {
-      const Seen seen = nearest(e, place, std::min(reach, most));
-      if (seen.distance < HUGE_VAL || reach >= most)
-      {
-        return footAt(e, place, seen);
-      }
-    }
+    const std::size_t start = end == 0 ? e : rims_.next(e);
+    const std::optional<RimFoot> foot = footAt(e, nearest(start, away_[e]));
+    return foot ? foot : footAt(e, nearest(start, awayAtStart_[start]));
   }
 
 private:
@@ -95,19 +94,39 @@ private:
     return minus(to, scaled(way, dot(way, to) / dot(way, way)));
   }
 
-  bool isAhead(std::size_t e, const Vector& to) const
+  static bool isAhead(const Vector& away, const Vector& to)
   {
-    return dot(away_[e], to) > Ahead * norm(to);
+    return dot(away, to) > Ahead * norm(to);
   }
 
-  // At a vertex, either edge may look back.
-  bool looksBack(std::size_t e, double along, const Vector& to) const
+  // Whether something that looks `away` at a place of an edge is looked at from there; at a vertex, from either edge or both together.
+  bool looksBack(std::size_t e, double along, const Vector& away, const Vector& to) const
   {
-    return isAhead(e, to) || (along == 0 && isAhead(rims_.before(e), to)) ||
-      (along == 1 && isAhead(rims_.next(e), to));
+    const auto looks = [&](const Vector& back) {
+      return isAhead(back, scaled(to, -1)) && dot(back, away) < -Ahead;
+    };
+    const std::size_t next = rims_.next(e);
+    return looks(away_[e]) ||
+      (along == 0 && (looks(away_[rims_.before(e)]) || looks(awayAtStart_[e]))) ||
+      (along == 1 && (looks(away_[next]) || looks(awayAtStart_[next])));
   }
 
-  Seen nearest(std::size_t e, const Vector& place, double reach) const
+  // From the start of an edge.
+  Seen nearest(std::size_t start, const Vector& away) const
+  {
+    const Vector place = rims_.from(start);
+    const double most = widest_ / Ahead;
+    for (double reach = FirstReach * most;; reach *= 2)
+    {
+      const Seen seen = nearestWithin(std::min(reach, most), place, away);
+      if (seen.distance < HUGE_VAL || reach >= most)
+      {
+        return seen;
+      }
+    }
+  }
+
+  Seen nearestWithin(double reach, const Vector& place, const Vector& away) const
   {
     Seen best;
     const Vector around{ reach, reach, reach };
@@ -119,8 +138,7 @@ private:
       const double distance = norm(to);
       const bool isNearer =
         distance < best.distance || (distance == best.distance && other < best.edge);
-      if (isNearer && distance <= reach && isAhead(e, to) &&
-        looksBack(other, along, scaled(to, -1)))
+      if (isNearer && distance <= reach && isAhead(away, to) && looksBack(other, along, away, to))
       {
         best = { distance, other, along };
       }
@@ -128,7 +146,7 @@ private:
     return best;
   }
 
-  std::optional<RimFoot> footAt(std::size_t e, const Vector& place, const Seen& seen) const
+  std::optional<RimFoot> footAt(std::size_t e, const Seen& seen) const
   {
     if (seen.distance == HUGE_VAL || rims_.loopOf(seen.edge) == rims_.loopOf(e))
     {
@@ -137,14 +155,16 @@ private:
     // At a corner of a lid, that of its frame is farther away than their sides.
     const bool isAtVertex = seen.along == 0 || seen.along == 1;
     const Vector foot = plus(rims_.from(seen.edge), scaled(rims_.way(seen.edge), seen.along));
-    const double across = isAtVertex ? norm(acrossFrom(foot, e)) : norm(minus(foot, place));
+    const double across =
+      isAtVertex ? std::min(seen.distance, norm(acrossFrom(foot, e))) : seen.distance;
     return across <= widest_ ? std::optional(RimFoot{ seen.edge, seen.along, across })
                              : std::nullopt;
   }
 
   const FacingRims& rims_;
   double widest_;
-  std::vector<Vector> away_; // of each edge
+  std::vector<Vector> away_;        // of each edge
+  std::vector<Vector> awayAtStart_; // of both edges where it starts
   TriangleTree tree_;
 };
 

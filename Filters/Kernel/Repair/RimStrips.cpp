@@ -14,6 +14,9 @@ namespace cartesian
 namespace
 {
 
+// The cosine of the largest angle between two edges that tell whether their rims run the same way: 60 degrees.
+constexpr double LeastAlong = 0.5;
+
 // A place on a rim, the start of an edge, and the way to go from there.
 struct Walker
 {
@@ -102,7 +105,11 @@ private:
   void addSeeds(std::size_t e, std::size_t end, const RimFoot& foot, std::vector<Seed>& all) const
   {
     const std::size_t first = end == 0 ? e : rims_.next(e);
-    const bool isSameWay = runTheSameWay(e, foot);
+    const double cosine = cosineAlong(e, foot);
+    if (std::abs(cosine) < LeastAlong)
+    {
+      return;
+    }
     for (const std::size_t second : { foot.edge, rims_.next(foot.edge) })
     {
       const bool isOther =
@@ -114,23 +121,23 @@ private:
       if (!isOther && facesBack && vertexAt(first) != vertexAt(second))
       {
         all.push_back({ norm(across), std::array{ vertexAt(first), vertexAt(second) }, first,
-          second, isSameWay });
+          second, cosine > 0 });
       }
     }
   }
 
-  // At a vertex, of its edges that which is more nearly parallel.
-  bool runTheSameWay(std::size_t e, const RimFoot& foot) const
+  // The cosine between an edge and the one it faces; at a vertex, of its edges that which is more nearly parallel.
+  double cosineAlong(std::size_t e, const RimFoot& foot) const
   {
     const Vector way = unit(rims_.way(e));
     const auto along = [&](std::size_t other) { return dot(way, unit(rims_.way(other))); };
-    double most = along(foot.edge);
-    if (foot.along == 0 || foot.along == 1)
+    const double cosine = along(foot.edge);
+    if (foot.along > 0 && foot.along < 1)
     {
-      const double other = along(foot.along == 0 ? rims_.before(foot.edge) : rims_.next(foot.edge));
-      most = std::abs(other) > std::abs(most) ? other : most;
+      return cosine;
     }
-    return most > 0;
+    const double other = along(foot.along == 0 ? rims_.before(foot.edge) : rims_.next(foot.edge));
+    return std::abs(other) > std::abs(cosine) ? other : cosine;
   }
 
   Walk walkFrom(const Seed& seed)
@@ -196,21 +203,19 @@ private:
       vertexAt(placeAhead(walker)) != vertexAt(other.at);
   }
 
-  // Whether what the next vertex faces comes after the next vertex of the other rim.
+  // Whether what the next vertex faces comes after the next vertex of the other rim: the shorter way from there is onward.
   bool reachesBeyond(const Walker& walker, const Walker& other) const
   {
     const RimFoot& foot = *rims_.foot(edgeAhead(walker), walker.isForward ? 1 : 0);
-    const std::size_t ahead = edgeAhead(other);
     const std::size_t next = placeAhead(other);
-    if (foot.edge == ahead || (foot.edge == next && foot.along == 0) ||
+    if (foot.edge == edgeAhead(other) || (foot.edge == next && foot.along == 0) ||
       (foot.edge == rims_.before(next) && foot.along == 1))
     {
       return false;
     }
-    const double whole = rims_.lengthOf(rims_.loopOf(other.at));
-    const double onward = rims_.lengthTo(other.at, foot);
-    const double length = other.isForward ? onward : whole - onward;
-    return length > norm(rims_.way(ahead)) && length < whole / 2;
+    const double whole = rims_.lengthOf(rims_.loopOf(next));
+    const double onward = rims_.lengthTo(next, foot);
+    return (other.isForward ? onward : whole - onward) < whole / 2;
   }
 
   RimStrip stripAlong(Walk walk) const
