@@ -368,6 +368,15 @@ void addWalls(const Corners4& from, const Corners4& rim, std::mt19937& random, S
   }
 }
 
+// An end of a box and its walls.
+void addHalf(const Corners4& end, const Corners4& rim, std::mt19937& random, Soup& soup)
+{
+  Soup half;
+  addRectangle(end, half);
+  addWalls(end, rim, random, half);
+  soup.add(rim[0][2] > end[0][2] ? half.flipped() : half);
+}
+
 // A box from 0 to `size`, cut all around by a gap at half its height.
 Soup halves(const Vector& size, double gap, std::mt19937& random)
 {
@@ -376,8 +385,7 @@ Soup halves(const Vector& size, double gap, std::mt19937& random)
   {
     const Corners4 end = rectangleAt(isUpper ? size[2] : 0, { 0, 0, 0 }, size);
     const double rim = size[2] / 2 + (isUpper ? gap : -gap) / 2;
-    addRectangle(end, soup);
-    addWalls(end, rectangleAt(rim, { 0, 0, 0 }, size), random, soup);
+    addHalf(end, rectangleAt(rim, { 0, 0, 0 }, size), random, soup);
   }
   return soup;
 }
@@ -399,8 +407,7 @@ Soup halvesAslant(const Vector& size, double gap, double at, std::mt19937& rando
       const double part = corner[0] / size[0];
       corner[2] += tilt * (part - 0.5) + moreAtZero * (1 - part) + moreAtOne * part;
     }
-    addRectangle(end, soup);
-    addWalls(end, rim, random, soup);
+    addHalf(end, rim, random, soup);
   }
   return soup;
 }
@@ -460,7 +467,7 @@ Can canWithLid(std::mt19937& random)
     const std::size_t next = (i + 1) % angles.size();
     addRectangle({ around[0][i], around[0][next], around[1][next], around[1][i] }, can.open);
     addRectangle({ around[1][i], around[1][next], around[2][next], around[2][i] }, can.open);
-    addBetween({ 0, 0, 0 }, { 0, 0, 0 }, { around[0][i], around[0][next] }, can.open);
+    addBetween({ 0, 0, 0 }, { 0, 0, 0 }, { around[0][next], around[0][i] }, can.open);
     can.area += norm(minus(around[0][next], around[0][i]));
   }
   for (std::size_t i = 0; i < rim.size(); ++i)
@@ -471,25 +478,36 @@ Can canWithLid(std::mt19937& random)
   return can;
 }
 
-// A box with a lid in its top, which a slot separates from the frame around it.
-Soup boxWithLid(const Vector& size, double gap, std::mt19937& random)
+// A box with rectangular lids in its top, so many each way, between which and around which are slots.
+Soup boxWithLids(const Vector& size, std::size_t count, double gap, std::mt19937& random)
 {
   const double border = 0.1 * size[0];
   const Corners4 top = rectangleAt(size[2], { 0, 0, 0 }, size);
   const Vector low{ border, border, 0 };
   const Vector high = minus(size, low);
-  const Vector inwards{ gap, gap, 0 };
   Soup soup;
   const Corners4 bottom = rectangleAt(0, { 0, 0, 0 }, size);
-  addRectangle(bottom, soup);
+  addRectangle({ bottom[0], bottom[3], bottom[2], bottom[1] }, soup);
   for (std::size_t i = 0; i < 4; ++i)
   {
     addRectangle({ bottom[i], bottom[(i + 1) % 4], top[(i + 1) % 4], top[i] }, soup);
   }
-  addWalls(top, rectangleAt(size[2], low, high), random, soup);
-  const Vector middle{ size[0] / 2, size[1] / 2, size[2] };
-  addWalls({ { middle, middle, middle, middle } },
-    rectangleAt(size[2], plus(low, inwards), minus(high, inwards)), random, soup);
+  Soup frame;
+  addWalls(top, rectangleAt(size[2], low, high), random, frame);
+  soup.add(frame.flipped());
+  for (std::size_t n = 0; n < count * count; ++n)
+  {
+    Vector from{};
+    Vector to{};
+    for (const std::size_t axis : { 0U, 1U })
+    {
+      const double each = (high[axis] - low[axis] - gap) / double(count);
+      from[axis] = low[axis] + gap + each * double(axis == 0 ? n / count : n % count);
+      to[axis] = from[axis] + each - gap;
+    }
+    const Vector middle{ (from[0] + to[0]) / 2, (from[1] + to[1]) / 2, size[2] };
+    addWalls({ { middle, middle, middle, middle } }, rectangleAt(size[2], from, to), random, soup);
+  }
   return soup;
 }
 
@@ -507,18 +525,25 @@ struct Body
 {
   double area;
   double volume;
+  double
+    gap; // at edges of the body where both rims are aslant, less of it than that, cubed, may be cut off
 };
+
+void expectBody(const Soup& whole, const Body& body, double cellSize)
+{
+  EXPECT_LE(whole.area(), body.area * (1 + 1e-9));
+  EXPECT_GE(whole.area(), body.area * (1 - 1e-9) - body.gap * body.gap);
+  const PreparedSurface prepared = prepare(whole, cellsOf(cellSize));
+  EXPECT_TRUE(prepared.repair.check.closed());
+  EXPECT_NEAR(volumeOf(prepared.surface), body.volume, 1e-7 * body.volume + std::pow(body.gap, 3));
+}
 
 // Returns the width of the gap.
 double expectClosedByOne(const Soup& open, const Body& body, double cellSize, double widest)
 {
   const std::vector<ClosedGap> gaps = gapsOf(open, cellSize, widest);
   EXPECT_EQ(gaps.size(), 1U);
-  const Soup whole = with(open, gaps);
-  EXPECT_NEAR(whole.area(), body.area, 1e-9 * body.area);
-  const PreparedSurface prepared = prepare(whole, cellsOf(cellSize));
-  EXPECT_TRUE(prepared.repair.check.closed());
-  EXPECT_NEAR(volumeOf(prepared.surface), body.volume, 1e-7 * body.volume);
+  expectBody(with(open, gaps), body, cellSize);
   return gaps.empty() ? 0 : gaps[0].width;
 }
 
@@ -542,7 +567,7 @@ TEST(ClosedGaps, ABoxCutAllAround)
       for (const Soup& open : turnsOf(halves(size, gap, random)))
       {
         SCOPED_TRACE(testing::Message() << size[0] << " " << part);
-        const Body body{ areaOfBox(size), volumeOfBox(size) };
+        const Body body{ areaOfBox(size), volumeOfBox(size), 0 };
         EXPECT_NEAR(expectClosedByOne(open, body, 0.9 * gap, 1.05 * gap), gap, 1e-6 * gap);
       }
     }
@@ -557,10 +582,10 @@ TEST(ClosedGaps, ALidInAFrame)
     for (const double part : { 0.02, 0.07, 0.2 })
     {
       const double gap = part * size[2];
-      for (const Soup& open : turnsOf(boxWithLid(size, gap, random)))
+      for (const Soup& open : turnsOf(boxWithLids(size, 1, gap, random)))
       {
         SCOPED_TRACE(testing::Message() << size[0] << " " << part);
-        const Body body{ areaOfBox(size), volumeOfBox(size) };
+        const Body body{ areaOfBox(size), volumeOfBox(size), 0 };
         EXPECT_NEAR(expectClosedByOne(open, body, 0.9 * gap, 1.05 * gap), gap, 1e-6 * gap);
       }
     }
@@ -579,8 +604,51 @@ TEST(ClosedGaps, StripsOfRandomCuts)
     const double at = std::uniform_real_distribution<double>(0.35, 0.65)(random);
     const Soup open = halvesAslant(size, gap, at, random);
     expectClosedByOne(
-      turnsOf(open)[seed % 4], { areaOfBox(size), volumeOfBox(size) }, gap / 4, 1.5 * gap);
+      turnsOf(open)[seed % 4], { areaOfBox(size), volumeOfBox(size), gap }, gap / 4, 1.5 * gap);
     const Can can = canWithLid(random);
-    expectClosedByOne(turnsOf(can.open)[seed / 4 % 4], { can.area, can.volume }, 0.02, 0.3);
+    expectClosedByOne(turnsOf(can.open)[seed / 4 % 4], { can.area, can.volume, 0 }, 0.02, 0.3);
   }
+}
+
+// What is left where slots meet is closed with one of them.
+TEST(ClosedGaps, LidsSideBySide)
+{
+  const Vector size{ 1, 1.2, 0.7 };
+  for (unsigned seed = 0; seed < repeats(40); ++seed)
+  {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const double gap = std::uniform_real_distribution<double>(0.01, 0.05)(random);
+    const Soup open = turnsOf(boxWithLids(size, 2 + seed % 2, gap, random))[seed / 2 % 4];
+    const std::vector<ClosedGap> gaps = gapsOf(open, gap / 2, 2.1 * gap);
+    expectBody(with(open, gaps), { areaOfBox(size), volumeOfBox(size), 0 }, gap / 2);
+  }
+}
+
+TEST(ClosedGaps, TheMeshFillsStrips)
+{
+  std::mt19937 random(3);
+  const Vector size{ 1, 1.3, 0.8 };
+  for (const Soup& shape : { halves(size, 0.1, random), boxWithLids(size, 1, 0.08, random),
+         boxWithLids(size, 2, 0.08, random), canWithLid(random).open })
+  {
+    for (const Soup& open : turnsOf(shape))
+    {
+      const Soup whole = with(open, gapsOf(open, 0.06, 0.3));
+      const MeshArrays mesh = meshOf(whole, cellsOf(0.06)).mesh;
+      EXPECT_TRUE(isValid(mesh));
+      EXPECT_TRUE(fills(mesh, whole));
+    }
+  }
+}
+
+// Wider than asked, or narrower than a box.
+TEST(ClosedGaps, NoOtherStrips)
+{
+  std::mt19937 random(4);
+  const Soup open = halves({ 1, 1.3, 0.8 }, 0.1, random);
+  EXPECT_EQ(gapsOf(open, 0.09, 0.101).size(), 1U);
+  EXPECT_TRUE(gapsOf(open, 0.09, 0.099).empty());
+  EXPECT_TRUE(gapsOf(open, 0.11, 0.2).empty());
+  EXPECT_EQ(gapsOf(open, 0.11, 0.2, 1).size(), 1U);
 }
