@@ -17,6 +17,9 @@ namespace
 // The cosine of the largest angle between two edges that tell whether their rims run the same way: 60 degrees.
 constexpr double LeastAlong = 0.5;
 
+// A strip is at least that long, in its widths: nearer by, rims may look at each other by chance.
+constexpr double LeastLength = 4;
+
 // A place on a rim, the start of an edge, and the way to go from there.
 struct Walker
 {
@@ -236,9 +239,9 @@ private:
       along += (walker.isForward == step.isFirst ? 1 : -1) * rims_.edge(step.edge).along;
     }
     strip.triangles = zipped(surface_, chains);
-    if (areaOf(strip) > strip.width * length)
+    if (length < 2 * LeastLength * strip.width || areaOf(strip) > strip.width * length)
     {
-      return {}; // they run along each other only here and there
+      return {}; // a place where two rims come near each other, or run along each other only here and there
     }
     for (auto& triangle : strip.triangles)
     {
