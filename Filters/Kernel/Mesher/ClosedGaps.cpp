@@ -190,13 +190,6 @@ public:
   ClosedGaps close(std::vector<ClosedGap> strips)
   {
     result_.gaps = std::move(strips);
-    for (std::size_t i = 0; i < result_.gaps.size(); ++i)
-    {
-      for (const auto& [a, b, c] : result_.gaps[i].triangles)
-      {
-        stripAt_.insert({ { edgeOf(a, b), i }, { edgeOf(b, c), i }, { edgeOf(c, a), i } });
-      }
-    }
     const std::vector<std::uint8_t>& open = prepared_.openSheets.isOfOne;
     if (!options_.baffles.empty() || !open.empty())
     {
@@ -244,17 +237,9 @@ private:
         continue;
       }
       ClosedGap gap = gapOf(hole.rim, region, width);
-      ClosedGap* const strip = stripAt(gap.rim);
       const auto first = surface.triangles.begin() + std::ptrdiff_t(hole.firstTriangle);
-      addTriangles({ first, first + std::ptrdiff_t(hole.triangles) }, strip ? *strip : gap);
-      if (strip)
-      {
-        strip->width = std::max(strip->width, width);
-      }
-      else
-      {
-        result_.gaps.push_back(std::move(gap));
-      }
+      addTriangles({ first, first + std::ptrdiff_t(hole.triangles) }, gap);
+      result_.gaps.push_back(std::move(gap));
     }
   }
 
@@ -279,27 +264,6 @@ private:
     }
   }
 
-  using Edge = std::array<std::uint32_t, 2>;
-
-  static Edge edgeOf(std::uint32_t a, std::uint32_t b)
-  {
-    return { std::min(a, b), std::max(a, b) };
-  }
-
-  // The first along the rim of a hole; null: there is none.
-  ClosedGap* stripAt(const std::vector<std::uint32_t>& rim)
-  {
-    for (std::size_t i = 0; i < rim.size(); ++i)
-    {
-      const auto found = stripAt_.find(edgeOf(rim[i], rim[(i + 1) % rim.size()]));
-      if (found != stripAt_.end())
-      {
-        return &result_.gaps[found->second];
-      }
-    }
-    return nullptr;
-  }
-
   // Its shortest side, levels.
   double smallestBoxAt(const std::vector<std::uint32_t>& rim, const Surface& surface) const
   {
@@ -315,9 +279,8 @@ private:
   const Options& options_;
   Execution& execution_;
   PreparedSurface prepared_;
-  std::vector<std::uint32_t> points_;   // of the view, at vertices
-  Parts parts_;                         // before anything is repaired
-  std::map<Edge, std::size_t> stripAt_; // points of the view
+  std::vector<std::uint32_t> points_; // of the view, at vertices
+  Parts parts_;                       // before anything is repaired
   ClosedGaps result_;
 };
 

@@ -6,8 +6,7 @@
 // Holes.h, whose width this is too; other holes stay for it. With several regions each is closed by itself.
 // Where the rim of a hole is the edge of three walls at least, it is closed already, as by the pane of a window between the skin
 // and the lining of a door: the smallest of these walls that ends there is a sheet, whose two sides are walls.
-// Where two rims face each other, as of a lid and its frame, strips between them (RimStrips.h) come first; a hole that touches one is
-// closed as a part of it.
+// Where two rims face each other, as of a lid and its frame, strips between them (RimStrips.h) come first.
 // Limits: gaps between closed parts are none.
 #pragma once
 

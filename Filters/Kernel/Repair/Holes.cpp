@@ -231,7 +231,7 @@ void fill(const Surface& surface, const Meshlines& planes, Filling& filling)
   {
     std::reverse(rim.begin(), rim.end());
   }
-  hole.width = 4 * HoleFiller(surface).fill(rim, filling.triangles) / filling.loop.length;
+  hole.width = 4 * fillRim(surface, std::move(rim), filling.triangles) / filling.loop.length;
   hole.leak = hole.width >= narrowestSide(planes, filling.loop.centre);
   hole.triangles = filling.triangles.size();
 }
@@ -283,6 +283,12 @@ bool isAroundSheet(
   return filling.area() > LeastLid * beside;
 }
 
+}
+
+double fillRim(
+  const Surface& surface, std::vector<std::uint32_t> rim, std::vector<Triangle>& triangles)
+{
+  return HoleFiller(surface).fill(rim, triangles);
 }
 
 std::vector<Hole> closeHoles(

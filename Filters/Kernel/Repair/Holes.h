@@ -27,6 +27,10 @@ struct Hole
   std::size_t triangles;          // their number
 };
 
+// Appends the triangles with the least area that close a rim, in its direction. Returns their area, levels squared.
+double fillRim(const Surface& surface, std::vector<std::uint32_t> rim,
+  std::vector<std::array<std::uint32_t, 3>>& triangles);
+
 // Finds the holes and appends the triangles that close them, oriented like most triangles along the
 // rim. They get the boundary of most of those; triangles that close a leak get NoBoundary.
 std::vector<Hole> closeHoles(

@@ -2,6 +2,7 @@
 #include "Repair/RimLoops.h"
 
 #include "Base/Sorting.h"
+#include "Lattice/Vector.h"
 
 #include <algorithm>
 
@@ -32,11 +33,13 @@ std::vector<RimEdge> findRims(const SurfaceEdges& edges)
 class RimTracer
 {
 public:
-  RimTracer(const std::vector<RimEdge>& rims, std::size_t vertices)
-    : rims_(rims)
+  RimTracer(const Surface& surface, const std::vector<RimEdge>& rims, RimTurns turns)
+    : surface_(surface)
+    , rims_(rims)
+    , turns_(turns)
     , used_(rims.size())
-    , next_(vertices + 1)
-    , place_(vertices, NotOnWalk)
+    , next_(surface.vertices.size() + 1)
+    , place_(surface.vertices.size(), NotOnWalk)
   {
     for (const RimEdge& rim : rims)
     {
@@ -84,12 +87,35 @@ private:
     {
       return nullptr;
     }
-    const RimEdge& edge = rims_[next];
-    used_[next] = true;
+    const std::size_t taken = turns_ == RimTurns::Sharpest ? sharpest(vertex) : next;
+    const RimEdge& edge = rims_[taken];
+    used_[taken] = true;
     const auto back =
       std::lower_bound(rims_.begin(), rims_.end(), RimEdge{ edge.to, vertex, 0, 0 });
     used_[static_cast<std::size_t>(back - rims_.begin())] = true;
     return &edge;
+  }
+
+  // Of the unused edges from a vertex, of which there is one, that with the smallest angle to the last one of the walk.
+  std::size_t sharpest(std::uint32_t vertex) const
+  {
+    std::size_t best = next_[vertex];
+    double most = -HUGE_VAL;
+    for (std::size_t r = next_[vertex]; r < end_[vertex] && !walk_.empty(); ++r)
+    {
+      const double cosine = dot(wayTo(rims_[r].to, vertex), wayTo(walk_.back().from, vertex));
+      if (!used_[r] && cosine > most)
+      {
+        best = r;
+        most = cosine;
+      }
+    }
+    return best;
+  }
+
+  Vector wayTo(std::uint32_t to, std::uint32_t from) const
+  {
+    return unit(minus(surface_.vertices[to], surface_.vertices[from]));
   }
 
   void cutBack(std::size_t size)
@@ -100,7 +126,9 @@ private:
     }
   }
 
+  const Surface& surface_;
   const std::vector<RimEdge>& rims_;
+  const RimTurns turns_;
   std::vector<bool> used_;
   std::vector<std::size_t> next_; // edge from each vertex
   std::vector<std::size_t> end_;
@@ -110,7 +138,8 @@ private:
 
 }
 
-std::vector<std::vector<RimEdge>> rimLoopsOf(const Surface& surface, const SurfaceEdges& edges)
+std::vector<std::vector<RimEdge>> rimLoopsOf(
+  const Surface& surface, const SurfaceEdges& edges, RimTurns turns)
 {
   std::vector<std::vector<RimEdge>> loops;
   const std::vector<RimEdge> rims = findRims(edges);
@@ -118,14 +147,13 @@ std::vector<std::vector<RimEdge>> rimLoopsOf(const Surface& surface, const Surfa
   {
     return loops;
   }
-  RimTracer(rims, surface.vertices.size())
-    .forEachLoop([&](const RimEdge* begin, const RimEdge* end) {
-      std::vector<RimEdge>& loop = loops.emplace_back(begin, end);
-      std::rotate(loop.begin(),
-        std::min_element(loop.begin(), loop.end(),
-          [](const RimEdge& a, const RimEdge& b) { return a.from < b.from; }),
-        loop.end());
-    });
+  RimTracer(surface, rims, turns).forEachLoop([&](const RimEdge* begin, const RimEdge* end) {
+    std::vector<RimEdge>& loop = loops.emplace_back(begin, end);
+    std::rotate(loop.begin(),
+      std::min_element(loop.begin(), loop.end(),
+        [](const RimEdge& a, const RimEdge& b) { return a.from < b.from; }),
+      loop.end());
+  });
   std::sort(
     loops.begin(), loops.end(), [](const auto& a, const auto& b) { return a.front() < b.front(); });
   return loops;

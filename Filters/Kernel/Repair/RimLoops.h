@@ -23,8 +23,16 @@ struct RimEdge
   }
 };
 
+// Where loops touch at a vertex, how one goes on there.
+enum class RimTurns
+{
+  ToLowest, // to the lowest vertex
+  Sharpest, // with the smallest angle between its edges, as a loop around something narrow does
+};
+
 // Each loop of edges that an odd number of triangles use, in turn from its lowest vertex on; it visits no vertex twice. In order of
 // their first edges.
-std::vector<std::vector<RimEdge>> rimLoopsOf(const Surface& surface, const SurfaceEdges& edges);
+std::vector<std::vector<RimEdge>> rimLoopsOf(
+  const Surface& surface, const SurfaceEdges& edges, RimTurns turns = RimTurns::ToLowest);
 
 }

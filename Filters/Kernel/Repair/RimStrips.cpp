@@ -2,6 +2,7 @@
 #include "Repair/RimStrips.h"
 
 #include "Repair/FacingRims.h"
+#include "Repair/Holes.h"
 #include "Repair/ZippedChains.h"
 
 #include <algorithm>
@@ -272,11 +273,64 @@ private:
   std::vector<bool> used_; // edges
 };
 
+// Closes what is left between their ends and rims, each with the first strip that it touches.
+void closeEnds(
+  const Surface& surface, double widest, std::vector<RimStrip>& strips, Execution& execution)
+{
+  Surface whole = surface;
+  std::vector<std::size_t> stripOf; // of each triangle after those of the surface
+  for (std::size_t i = 0; i < strips.size(); ++i)
+  {
+    const auto& triangles = strips[i].triangles;
+    whole.triangles.insert(whole.triangles.end(), triangles.begin(), triangles.end());
+    stripOf.resize(stripOf.size() + triangles.size(), i);
+  }
+  for (const std::vector<RimEdge>& loop :
+    rimLoopsOf(whole, SurfaceEdges(whole, execution), RimTurns::Sharpest))
+  {
+    double length = 0;
+    std::vector<std::uint32_t> rim;
+    std::size_t touched = strips.size();
+    int along = 0;
+    for (const RimEdge& edge : loop)
+    {
+      length += norm(minus(whole.vertices[edge.to], whole.vertices[edge.from]));
+      rim.push_back(edge.from);
+      along += edge.along;
+      if (edge.triangle >= surface.triangles.size())
+      {
+        touched = std::min(touched, stripOf[edge.triangle - surface.triangles.size()]);
+      }
+    }
+    if (touched == strips.size())
+    {
+      continue;
+    }
+    if (along > 0)
+    {
+      std::reverse(rim.begin(), rim.end());
+    }
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    const double width = 4 * fillRim(whole, std::move(rim), triangles) / length;
+    if (width <= widest)
+    {
+      RimStrip& strip = strips[touched];
+      strip.triangles.insert(strip.triangles.end(), triangles.begin(), triangles.end());
+      strip.width = std::max(strip.width, width);
+    }
+  }
+}
+
 }
 
 std::vector<RimStrip> findRimStrips(const Surface& surface, double widest, Execution& execution)
 {
-  return StripFinder(surface, widest, execution).find();
+  std::vector<RimStrip> strips = StripFinder(surface, widest, execution).find();
+  if (!strips.empty())
+  {
+    closeEnds(surface, widest, strips, execution);
+  }
+  return strips;
 }
 
 }
