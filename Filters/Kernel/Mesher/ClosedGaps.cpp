@@ -174,13 +174,17 @@ public:
       surface.region.assign(surface.triangles.size(), region);
       takeBaffles(surface, options_.baffles);
       const double step = surface.lattice.step();
-      for (const RimStrip& strip : findRimStrips(surface, options_.closeGaps / step, execution_))
+      const double widest = options_.closeGaps / step;
+      std::vector<RimStrip> found = findRimStrips(surface, widest, execution_);
+      const auto isNarrow = [&](const RimStrip& strip) {
+        return strip.width < smallestBoxAt(strip.rim, surface);
+      };
+      found.erase(std::remove_if(found.begin(), found.end(), isNarrow), found.end());
+      closeEnds(surface, widest, found, execution_);
+      for (const RimStrip& strip : found)
       {
-        if (strip.width >= smallestBoxAt(strip.rim, surface))
-        {
-          strips.push_back(gapOf(strip.rim, region, strip.width * step));
-          addTriangles(strip.triangles, strips.back());
-        }
+        strips.push_back(gapOf(strip.rim, region, strip.width * step));
+        addTriangles(strip.triangles, strips.back());
       }
     });
     return strips;

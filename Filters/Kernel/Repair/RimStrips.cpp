@@ -273,64 +273,93 @@ private:
   std::vector<bool> used_; // edges
 };
 
-// Closes what is left between their ends and rims, each with the first strip that it touches.
-void closeEnds(
-  const Surface& surface, double widest, std::vector<RimStrip>& strips, Execution& execution)
+class EndCloser
 {
-  Surface whole = surface;
-  std::vector<std::size_t> stripOf; // of each triangle after those of the surface
-  for (std::size_t i = 0; i < strips.size(); ++i)
+public:
+  EndCloser(const Surface& surface, std::vector<RimStrip>& strips)
+    : whole_(surface)
+    , given_(surface.triangles.size())
+    , strips_(strips)
   {
-    const auto& triangles = strips[i].triangles;
-    whole.triangles.insert(whole.triangles.end(), triangles.begin(), triangles.end());
-    stripOf.resize(stripOf.size() + triangles.size(), i);
-  }
-  for (const std::vector<RimEdge>& loop :
-    rimLoopsOf(whole, SurfaceEdges(whole, execution), RimTurns::Sharpest))
-  {
-    double length = 0;
-    std::vector<std::uint32_t> rim;
-    std::size_t touched = strips.size();
-    int along = 0;
-    for (const RimEdge& edge : loop)
+    for (std::size_t i = 0; i < strips.size(); ++i)
     {
-      length += norm(minus(whole.vertices[edge.to], whole.vertices[edge.from]));
-      rim.push_back(edge.from);
-      along += edge.along;
-      if (edge.triangle >= surface.triangles.size())
+      const auto& triangles = strips[i].triangles;
+      whole_.triangles.insert(whole_.triangles.end(), triangles.begin(), triangles.end());
+      stripOf_.resize(stripOf_.size() + triangles.size(), i);
+    }
+  }
+
+  void close(double widest, Execution& execution)
+  {
+    for (const std::vector<RimEdge>& loop :
+      rimLoopsOf(whole_, SurfaceEdges(whole_, execution), RimTurns::Sharpest))
+    {
+      if (const std::size_t strip = firstAlong(loop); strip < strips_.size())
       {
-        touched = std::min(touched, stripOf[edge.triangle - surface.triangles.size()]);
+        close(loop, widest, strips_[strip]);
       }
     }
-    if (touched == strips.size())
+  }
+
+private:
+  // The number of strips: there is none along it.
+  std::size_t firstAlong(const std::vector<RimEdge>& loop) const
+  {
+    std::size_t first = strips_.size();
+    for (const RimEdge& edge : loop)
     {
-      continue;
+      if (edge.triangle >= given_)
+      {
+        first = std::min(first, stripOf_[edge.triangle - given_]);
+      }
+    }
+    return first;
+  }
+
+  void close(const std::vector<RimEdge>& loop, double widest, RimStrip& strip) const
+  {
+    double length = 0;
+    int along = 0;
+    std::vector<std::uint32_t> rim;
+    for (const RimEdge& edge : loop)
+    {
+      length += norm(minus(whole_.vertices[edge.to], whole_.vertices[edge.from]));
+      along += edge.along;
+      rim.push_back(edge.from);
     }
     if (along > 0)
     {
       std::reverse(rim.begin(), rim.end());
     }
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    const double width = 4 * fillRim(whole, std::move(rim), triangles) / length;
+    const double width = 4 * fillRim(whole_, std::move(rim), triangles) / length;
     if (width <= widest)
     {
-      RimStrip& strip = strips[touched];
       strip.triangles.insert(strip.triangles.end(), triangles.begin(), triangles.end());
       strip.width = std::max(strip.width, width);
     }
   }
-}
+
+  Surface whole_; // with the strips
+  std::size_t given_;
+  std::vector<std::size_t> stripOf_; // of each triangle after those given
+  std::vector<RimStrip>& strips_;
+};
 
 }
 
 std::vector<RimStrip> findRimStrips(const Surface& surface, double widest, Execution& execution)
 {
-  std::vector<RimStrip> strips = StripFinder(surface, widest, execution).find();
+  return StripFinder(surface, widest, execution).find();
+}
+
+void closeEnds(
+  const Surface& surface, double widest, std::vector<RimStrip>& strips, Execution& execution)
+{
   if (!strips.empty())
   {
-    closeEnds(surface, widest, strips, execution);
+    EndCloser(surface, strips).close(widest, execution);
   }
-  return strips;
 }
 
 }

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <random>
 
 using namespace cartesian;
@@ -629,16 +630,15 @@ TEST(ClosedGaps, TheMeshFillsStrips)
 {
   std::mt19937 random(3);
   const Vector size{ 1, 1.3, 0.8 };
-  for (const Soup& shape : { halves(size, 0.1, random), boxWithLids(size, 1, 0.08, random),
-         boxWithLids(size, 2, 0.08, random), canWithLid(random).open })
+  const std::array<Soup, 4> shapes{ halves(size, 0.1, random), boxWithLids(size, 1, 0.08, random),
+    boxWithLids(size, 2, 0.08, random), canWithLid(random).open };
+  for (const std::size_t i : cases({ 0U, 1U, 2U, 3U }))
   {
-    for (const Soup& open : turnsOf(shape))
-    {
-      const Soup whole = with(open, gapsOf(open, 0.06, 0.3));
-      const MeshArrays mesh = meshOf(whole, cellsOf(0.06)).mesh;
-      EXPECT_TRUE(isValid(mesh));
-      EXPECT_TRUE(fills(mesh, whole));
-    }
+    const Soup open = turnsOf(shapes[i])[i];
+    const Soup whole = with(open, gapsOf(open, 0.06, 0.3));
+    const MeshArrays mesh = meshOf(whole, cellsOf(0.06)).mesh;
+    EXPECT_TRUE(isValid(mesh));
+    EXPECT_TRUE(fills(mesh, whole));
   }
 }
 
@@ -651,4 +651,84 @@ TEST(ClosedGaps, NoOtherStrips)
   EXPECT_TRUE(gapsOf(open, 0.09, 0.099).empty());
   EXPECT_TRUE(gapsOf(open, 0.11, 0.2).empty());
   EXPECT_EQ(gapsOf(open, 0.11, 0.2, 1).size(), 1U);
+}
+
+// The slot around a door with hinges is one loop: a hole twice as wide.
+TEST(ClosedGaps, ADoorCutOnThreeSides)
+{
+  constexpr double Slot = 0.03;
+  const std::array<double, 6> across{ 0, 0.2, 0.2 + Slot, 0.6, 0.6 + Slot, 1 };
+  const std::array<double, 5> up{ 0, 0.1, 0.7, 0.7 + Slot, 1 };
+  Soup open;
+  const Soup whole = box({ 0, 0, 0 }, { 1, 1, 1 });
+  open.points = whole.points;
+  for (std::size_t t = 0; t < whole.triangles.size(); ++t)
+  {
+    if (whole.boundary[t] != 0)
+    {
+      open.triangles.push_back(whole.triangles[t]);
+    }
+  }
+  for (std::size_t n = 0; n < 20; ++n)
+  {
+    const std::size_t i = n / 4;
+    const std::size_t j = n % 4;
+    const bool isSlot = (j == 1 && (i == 1 || i == 3)) || (j == 2 && i > 0 && i < 4);
+    if (!isSlot)
+    {
+      addRectangle({ { { 0, across[i], up[j] }, { 0, across[i], up[j + 1] },
+                     { 0, across[i + 1], up[j + 1] }, { 0, across[i + 1], up[j] } } },
+        open);
+    }
+  }
+  const double length = 0.43 + 2 * 0.6;
+  const double width = 4 * length * Slot / (2 * length + 2 * Slot);
+  for (const Soup& turned : turnsOf(open))
+  {
+    const std::vector<ClosedGap> gaps = gapsOf(turned, Slot, 2 * Slot);
+    ASSERT_EQ(gaps.size(), 1U);
+    EXPECT_NEAR(gaps[0].width, width, 1e-6);
+    expectBody(with(turned, gaps), { 6, 1, 0 }, Slot);
+    EXPECT_TRUE(gapsOf(turned, Slot, 1.5 * Slot).empty());
+  }
+}
+
+// Each region has its own, whatever the order of points and triangles.
+TEST(ClosedGaps, StripsInAnyOrder)
+{
+  std::mt19937 random(5);
+  const Vector size{ 1, 1.3, 0.8 };
+  Soup given;
+  given.addRegion(halves(size, 0.1, random));
+  given.addRegion(boxWithLids(size, 2, 0.08, random).moved({ 1.2, 0, 0 }));
+  const auto placesOf = [&](const Soup& soup) {
+    std::vector<std::vector<std::array<Vector, 3>>> places;
+    for (const ClosedGap& gap : gapsOf(soup, 0.06, 0.2))
+    {
+      std::vector<std::array<Vector, 3>>& triangles = places.emplace_back();
+      for (const auto& [a, b, c] : gap.triangles)
+      {
+        triangles.push_back({ soup.points[a], soup.points[b], soup.points[c] });
+      }
+    }
+    return places;
+  };
+  const auto places = placesOf(given);
+  EXPECT_GT(places.size(), 4U);
+  const Soup closed = with(given, gapsOf(given, 0.06, 0.2));
+  for (const auto& [region, volume] : volumesByRegion(meshOf(closed, cellsOf(0.06)).mesh))
+  {
+    EXPECT_NEAR(volume, volumeOfBox(size), 1e-6) << region;
+  }
+  Soup shuffled = given;
+  std::vector<std::uint32_t> order(given.triangles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::shuffle(order.begin(), order.end(), random);
+  for (std::size_t t = 0; t < order.size(); ++t)
+  {
+    const auto& [a, b, c] = given.triangles[order[t]];
+    shuffled.triangles[t] = { b, c, a };
+    shuffled.region[t] = given.region[order[t]];
+  }
+  EXPECT_EQ(placesOf(shuffled), places);
 }
