@@ -4,7 +4,7 @@
 #include "Base/DisjointSets.h"
 #include "Mesher/Mesher.h"
 #include "Mesher/ViewWithGaps.h"
-#include "Repair/RimStrips.h"
+#include "Repair/StripEnds.h"
 #include "Surface/Places.h"
 #include "Surface/SurfaceEdges.h"
 

@@ -2,7 +2,6 @@
 #include "Repair/Holes.h"
 
 #include "Lattice/Vector.h"
-#include "Repair/RimLoops.h"
 #include "Surface/Places.h"
 
 #include <cmath>
@@ -91,7 +90,7 @@ private:
         continue; // one of the vertices is no longer on the rim
       }
       triangles.push_back({ rim[cut.from], rim[cut.middle], rim[cut.to] });
-      area += areaOf(triangles.back());
+      area += areaOf(surface_, triangles.back());
       next[cut.from] = cut.to;
       before[cut.to] = cut.from;
       next[cut.middle] = cut.middle;
@@ -124,8 +123,8 @@ private:
         double least = HUGE_VAL;
         for (std::size_t j = i + 1; j < k; ++j)
         {
-          const double area =
-            least_[i * n + j] + least_[j * n + k] + areaOf({ rim[i], rim[j], rim[k] });
+          const double area = least_[i * n + j] + least_[j * n + k] +
+            areaOf(surface_, Triangle{ rim[i], rim[j], rim[k] });
           if (area < least)
           {
             least = area;
@@ -151,12 +150,6 @@ private:
     return least_[n - 1];
   }
 
-  double areaOf(const Triangle& t) const
-  {
-    const Point& p = surface_.vertices[t[0]];
-    return norm(cross(minus(surface_.vertices[t[1]], p), minus(surface_.vertices[t[2]], p))) / 2;
-  }
-
   const Surface& surface_;
   std::vector<double> least_; // area of the best filling of each piece of the rim
   std::vector<std::size_t> best_;
@@ -174,27 +167,16 @@ RimLoop loopOf(std::vector<RimEdge> edges, const Surface& surface)
 {
   RimLoop loop;
   loop.edges = std::move(edges);
+  loop.length = lengthOf(surface, loop.edges);
   for (const RimEdge& edge : loop.edges)
   {
     const Point& p = surface.vertices[edge.from];
-    loop.length += norm(minus(surface.vertices[edge.to], p));
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       loop.centre[axis] += p[axis] / static_cast<double>(loop.edges.size());
     }
   }
   return loop;
-}
-
-// Whether most triangles around a hole run along its rim; those that fill it then run the other way.
-bool runsAlong(const RimLoop& loop)
-{
-  int along = 0;
-  for (const RimEdge& edge : loop.edges)
-  {
-    along += edge.along;
-  }
-  return along > 0;
 }
 
 std::int32_t boundaryOf(const RimLoop& loop, const Surface& surface)
@@ -226,12 +208,7 @@ void fill(const Surface& surface, const Meshlines& planes, Filling& filling)
   {
     hole.rim.push_back(edge.from);
   }
-  std::vector<std::uint32_t> rim = hole.rim;
-  if (runsAlong(filling.loop))
-  {
-    std::reverse(rim.begin(), rim.end());
-  }
-  hole.width = 4 * fillRim(surface, std::move(rim), filling.triangles) / filling.loop.length;
+  hole.width = 4 * fillRim(surface, filling.loop.edges, filling.triangles) / filling.loop.length;
   hole.leak = hole.width >= narrowestSide(planes, filling.loop.centre);
   hole.triangles = filling.triangles.size();
 }
@@ -286,8 +263,19 @@ bool isAroundSheet(
 }
 
 double fillRim(
-  const Surface& surface, std::vector<std::uint32_t> rim, std::vector<Triangle>& triangles)
+  const Surface& surface, const std::vector<RimEdge>& loop, std::vector<Triangle>& triangles)
 {
+  std::vector<std::uint32_t> rim;
+  int along = 0;
+  for (const RimEdge& edge : loop)
+  {
+    rim.push_back(edge.from);
+    along += edge.along;
+  }
+  if (along > 0)
+  {
+    std::reverse(rim.begin(), rim.end());
+  }
   return HoleFiller(surface).fill(rim, triangles);
 }
 

@@ -159,4 +159,14 @@ std::vector<std::vector<RimEdge>> rimLoopsOf(
   return loops;
 }
 
+double lengthOf(const Surface& surface, const std::vector<RimEdge>& loop)
+{
+  double length = 0;
+  for (const RimEdge& edge : loop)
+  {
+    length += norm(minus(surface.vertices[edge.to], surface.vertices[edge.from]));
+  }
+  return length;
+}
+
 }

@@ -35,4 +35,7 @@ enum class RimTurns
 std::vector<std::vector<RimEdge>> rimLoopsOf(
   const Surface& surface, const SurfaceEdges& edges, RimTurns turns = RimTurns::ToLowest);
 
+// Levels.
+double lengthOf(const Surface& surface, const std::vector<RimEdge>& loop);
+
 }

@@ -2,11 +2,12 @@
 #include "Repair/RimStrips.h"
 
 #include "Repair/FacingRims.h"
-#include "Repair/Holes.h"
 #include "Repair/ZippedChains.h"
+#include "Surface/Places.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 namespace cartesian
@@ -18,7 +19,7 @@ namespace
 // The cosine of the largest angle between two edges that tell whether their rims run the same way: 60 degrees.
 constexpr double LeastAlong = 0.5;
 
-// A strip is at least that long, in its widths: nearer by, rims may look at each other by chance.
+// A strip is at least that long, in its widths, the mean of both sides: nearer by, rims may look at each other by chance.
 constexpr double LeastLength = 4;
 
 // A place on a rim, the start of an edge, and the way to go from there.
@@ -258,14 +259,10 @@ private:
 
   double areaOf(const RimStrip& strip) const
   {
-    double area = 0;
-    for (const auto& t : strip.triangles)
-    {
-      const Point& at = surface_.vertices[t[0]];
-      area +=
-        norm(cross(minus(surface_.vertices[t[1]], at), minus(surface_.vertices[t[2]], at))) / 2;
-    }
-    return area;
+    return std::accumulate(
+      strip.triangles.begin(), strip.triangles.end(), 0., [&](double area, const auto& triangle) {
+        return area + cartesian::areaOf(surface_, triangle);
+      });
   }
 
   const Surface& surface_;
@@ -273,93 +270,11 @@ private:
   std::vector<bool> used_; // edges
 };
 
-class EndCloser
-{
-public:
-  EndCloser(const Surface& surface, std::vector<RimStrip>& strips)
-    : whole_(surface)
-    , given_(surface.triangles.size())
-    , strips_(strips)
-  {
-    for (std::size_t i = 0; i < strips.size(); ++i)
-    {
-      const auto& triangles = strips[i].triangles;
-      whole_.triangles.insert(whole_.triangles.end(), triangles.begin(), triangles.end());
-      stripOf_.resize(stripOf_.size() + triangles.size(), i);
-    }
-  }
-
-  void close(double widest, Execution& execution)
-  {
-    for (const std::vector<RimEdge>& loop :
-      rimLoopsOf(whole_, SurfaceEdges(whole_, execution), RimTurns::Sharpest))
-    {
-      if (const std::size_t strip = firstAlong(loop); strip < strips_.size())
-      {
-        close(loop, widest, strips_[strip]);
-      }
-    }
-  }
-
-private:
-  // The number of strips: there is none along it.
-  std::size_t firstAlong(const std::vector<RimEdge>& loop) const
-  {
-    std::size_t first = strips_.size();
-    for (const RimEdge& edge : loop)
-    {
-      if (edge.triangle >= given_)
-      {
-        first = std::min(first, stripOf_[edge.triangle - given_]);
-      }
-    }
-    return first;
-  }
-
-  void close(const std::vector<RimEdge>& loop, double widest, RimStrip& strip) const
-  {
-    double length = 0;
-    int along = 0;
-    std::vector<std::uint32_t> rim;
-    for (const RimEdge& edge : loop)
-    {
-      length += norm(minus(whole_.vertices[edge.to], whole_.vertices[edge.from]));
-      along += edge.along;
-      rim.push_back(edge.from);
-    }
-    if (along > 0)
-    {
-      std::reverse(rim.begin(), rim.end());
-    }
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    const double width = 4 * fillRim(whole_, std::move(rim), triangles) / length;
-    if (width <= widest)
-    {
-      strip.triangles.insert(strip.triangles.end(), triangles.begin(), triangles.end());
-      strip.width = std::max(strip.width, width);
-    }
-  }
-
-  Surface whole_; // with the strips
-  std::size_t given_;
-  std::vector<std::size_t> stripOf_; // of each triangle after those given
-  std::vector<RimStrip>& strips_;
-};
-
 }
 
 std::vector<RimStrip> findRimStrips(const Surface& surface, double widest, Execution& execution)
 {
   return StripFinder(surface, widest, execution).find();
-}
-
-void closeEnds(
-  const Surface& surface, double widest, std::vector<RimStrip>& strips, Execution& execution)
-{
-  if (!strips.empty())
-  {
-    EndCloser(surface, strips).close(widest, execution);
-  }
 }
 
 }

@@ -3,7 +3,7 @@
 //
 // From the nearest vertices that face each other on, both rims are followed both ways as long as their edges face each other: a step goes
 // along the rim whose next vertex comes first. What was passed is zipped (ZippedChains.h). A strip ends where one of the rims turns away,
-// or where an edge of one reaches beyond the end of the other. What is left there is a hole (Holes.h).
+// or where an edge of one reaches beyond the end of the other. What is left there is a hole (StripEnds.h).
 // Limits: only between different loops; the two sides of a slot in one sheet are one loop, and a hole.
 #pragma once
 
@@ -18,14 +18,10 @@ struct RimStrip
     rim; // vertices: along one side, back along the other; where these are loops, with their seam
   std::vector<std::array<std::uint32_t, 3>>
     triangles;  // oriented like most triangles along the rims
-  double width; // the largest distance across, or of such holes, levels
+  double width; // the largest distance across, levels
 };
 
 // Those at most `widest` levels wide, the nearest rims first. Edges that an odd number of triangles use are open.
 std::vector<RimStrip> findRimStrips(const Surface& surface, double widest, Execution& execution);
-
-// Adds the triangles that close holes at ends of strips, each to the first strip that it touches.
-void closeEnds(
-  const Surface& surface, double widest, std::vector<RimStrip>& strips, Execution& execution);
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/ZippedChains.h"
 
+#include "Surface/Places.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -88,8 +90,10 @@ private:
     Row& row = rows_[p];
     for (std::size_t q = row.low; q <= row.high; ++q)
     {
-      const double before = p > 0 ? costAt(p - 1, q) + areaOf(alongFirst(p, q)) : HUGE_VAL;
-      const double below = q > row.low ? row.cost.back() + areaOf(alongSecond(p, q)) : HUGE_VAL;
+      const double before =
+        p > 0 ? costAt(p - 1, q) + areaOf(surface_, alongFirst(p, q)) : HUGE_VAL;
+      const double below =
+        q > row.low ? row.cost.back() + areaOf(surface_, alongSecond(p, q)) : HUGE_VAL;
       const Vector across = minus(surface_.vertices[second_[q]], surface_.vertices[first_[p]]);
       const double least = p + q > 0 ? std::min(before, below) : 0;
       row.isAlongFirst.push_back(before <= below);
@@ -111,12 +115,6 @@ private:
   std::array<std::uint32_t, 3> alongSecond(std::size_t p, std::size_t q) const
   {
     return { first_[p], second_[q], second_[q - 1] };
-  }
-
-  double areaOf(const std::array<std::uint32_t, 3>& t) const
-  {
-    const Point& at = surface_.vertices[t[0]];
-    return norm(cross(minus(surface_.vertices[t[1]], at), minus(surface_.vertices[t[2]], at))) / 2;
   }
 
   const Surface& surface_;
