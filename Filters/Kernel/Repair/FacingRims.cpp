@@ -190,7 +190,13 @@ FacingRims::FacingRims(const Surface& surface, double widest, Execution& executi
   {
     lengths_.push_back(lengths_.back() + norm(way(e)));
   }
-  const Looking looking(surface, *this, widest, execution);
+  look(widest, execution);
+  followNeighbours();
+}
+
+void FacingRims::look(double widest, Execution& execution)
+{
+  const Looking looking(surface_, *this, widest, execution);
   execution.forEach(edges_.size(), EdgesAChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e)
     {
@@ -198,6 +204,22 @@ FacingRims::FacingRims(const Surface& surface, double widest, Execution& executi
       feet_[2 * e + 1] = looking.footOf(e, 1);
     }
   });
+}
+
+void FacingRims::followNeighbours()
+{
+  const std::vector<std::optional<RimFoot>> own = feet_;
+  for (std::size_t e = 0; e < edges_.size(); ++e)
+  {
+    if (!own[2 * e])
+    {
+      feet_[2 * e] = own[2 * before(e) + 1];
+    }
+    if (!own[2 * e + 1])
+    {
+      feet_[2 * e + 1] = own[2 * next(e)];
+    }
+  }
 }
 
 double FacingRims::lengthTo(std::size_t e, const RimFoot& foot) const

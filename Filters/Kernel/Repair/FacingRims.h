@@ -67,6 +67,11 @@ public:
   }
 
 private:
+  void look(double widest, Execution& execution);
+
+  // What looks at nothing, at the flank of a tooth, faces what the next edge does.
+  void followNeighbours();
+
   std::size_t firstOf(std::size_t e) const { return starts_[loops_[e]]; }
   std::size_t endOf(std::size_t e) const { return starts_[loops_[e] + 1]; }
 
