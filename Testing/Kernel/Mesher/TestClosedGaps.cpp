@@ -544,7 +544,9 @@ double expectClosedByOne(const Soup& open, const Body& body, double cellSize, do
 {
   const std::vector<ClosedGap> gaps = gapsOf(open, cellSize, widest);
   EXPECT_EQ(gaps.size(), 1U);
-  expectBody(with(open, gaps), body, cellSize);
+  const Soup whole = with(open, gaps);
+  expectBody(whole, body, cellSize);
+  EXPECT_TRUE(prepare(whole, cellsOf(cellSize)).repair.pairs.pairs.empty());
   return gaps.empty() ? 0 : gaps[0].width;
 }
 
