@@ -734,3 +734,24 @@ TEST(ClosedGaps, StripsInAnyOrder)
   }
   EXPECT_EQ(placesOf(shuffled), places);
 }
+
+// Plates side by side in a box: between sheets of type baffle it is no gap.
+TEST(ClosedGaps, BafflesStayApart)
+{
+  Soup soup = box({ 0, 0, 0 }, { 1, 1, 1 });
+  for (const double from : { 0.2, 0.53 })
+  {
+    const Corners4 plate = rectangleAt(0.5, { from, 0.2, 0 }, { from + 0.28, 0.8, 0 });
+    addRectangle(plate, soup);
+    soup.boundary.resize(soup.triangles.size(), 6);
+  }
+  Options options;
+  options.grid = cellsOf(0.04);
+  options.closeGaps = 0.1;
+  Execution execution;
+  const ClosedGaps found = closedGaps(soup.view(), options, execution);
+  ASSERT_EQ(found.gaps.size(), 1U);
+  EXPECT_NEAR(found.gaps[0].width, 0.05, 1e-6);
+  options.baffles.push_back({ 6, 6 });
+  EXPECT_TRUE(closedGaps(soup.view(), options, execution).gaps.empty());
+}
