@@ -516,8 +516,9 @@ cartesian::PreparedSurface vtkCartesianGridAlgorithm::Prepare(
   cartesian::PreparedSurface prepared =
     cartesian::prepareSurface(surface.view(), options, execution, parts);
   std::string text;
-  for (const std::string& part : { surface.describeLeftOut(), surface.describeGaps(),
-         cartesian::describeFlaws(prepared, surface.cells(), surface.names()) })
+  for (const std::string& part :
+    { surface.describeLeftOut(), cartesian::describe(surface.gaps(), surface.view()),
+      cartesian::describeFlaws(prepared, surface.cells(), surface.names()) })
   {
     text += (text.empty() || part.empty() ? "" : "\n") + part;
   }
@@ -534,14 +535,14 @@ void vtkCartesianGridAlgorithm::Inspect(const cartesian::PreparedSurface& prepar
     // Triangles between regions are others than the user's: what was closed is listed with those.
     cartesian::SurfaceDefects closed =
       cartesian::listContacts(prepared.contacts, prepared.surface.lattice);
-    surface.listGaps(closed);
+    cartesian::list(surface.gaps(), surface.view(), closed);
     cartesian::toVTK(closed, surface.cells(), defects, execution);
     return;
   }
   cartesian::SurfaceDefects found = cartesian::findDefects(prepared.inspected(),
     prepared.trianglesGiven(), prepared.repair, prepared.cracks, prepared.planes, execution);
   const std::vector<vtkIdType> cells = cartesian::cellsOf(prepared.inspected(), surface.cells());
-  surface.listGaps(found);
+  cartesian::list(surface.gaps(), surface.view(), found);
   cartesian::toVTK(found, cells, defects, execution);
   this->Warn(cartesian::describe(found, cells));
 }

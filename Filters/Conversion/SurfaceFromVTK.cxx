@@ -32,11 +32,6 @@ namespace cartesian
 namespace
 {
 
-std::string nameOfGap(std::ptrdiff_t gap)
-{
-  return "gap_" + std::to_string(gap + 1);
-}
-
 // Which lines are sharp edges; null: not known.
 vtkDataArray* sharpEdgesOf(vtkPolyData* block)
 {
@@ -292,24 +287,17 @@ std::string SurfaceFromVTK::describeLeftOut() const
 
 void SurfaceFromVTK::addGaps(ClosedGaps closed)
 {
-  gaps_ = std::move(closed.gaps);
-  for (const ClosedGap& gap : gaps_)
+  points_.insert(points_.end(), closed.added.begin(), closed.added.end());
+  for (const ClosedGap& gap : closed.gaps)
   {
-    const std::int32_t number = numberOfAdded(nameOfGap(&gap - gaps_.data()));
+    const std::int32_t number = numberOfAdded(nameOfGap(&gap - closed.gaps.data()));
     for (const auto& triangle : gap.triangles)
     {
-      triangles_.insert(triangles_.end(), triangle.begin(), triangle.end());
-      boundary_.push_back(number);
-      cells_.push_back(-1);
-      const auto addTo = [&](auto& values, auto value) {
-        if (!values.empty())
-        {
-          values.push_back(value);
-        }
-      };
-      addTo(region_, gap.region);
-      addTo(knowsEdges_, std::uint8_t(0));
-      addTo(isOfOpenBody_, std::uint8_t(0));
+      addTriangle(triangle, number, -1);
+      if (!region_.empty())
+      {
+        region_.push_back(gap.region);
+      }
     }
   }
   for (const std::uint32_t pane : closed.panes)
@@ -317,46 +305,49 @@ void SurfaceFromVTK::addGaps(ClosedGaps closed)
     isSheet_.resize(cells_.size());
     isSheet_[pane] = 1;
   }
+  replace(closed);
+  gaps_ = std::move(closed);
 }
 
-std::string SurfaceFromVTK::describeGaps() const
+// Region apart.
+void SurfaceFromVTK::addTriangle(
+  const std::array<std::uint32_t, 3>& points, std::int32_t boundary, vtkIdType cell)
 {
-  constexpr std::ptrdiff_t MostNamed = 20;
-  const auto count = static_cast<std::ptrdiff_t>(gaps_.size());
-  const auto panes = std::count(isSheet_.begin(), isSheet_.end(), 1);
-  std::string text = count == 0 ? ""
-    : count == 1                ? "1 gap was closed:"
-                                : number(double(count)) + " gaps were closed:";
-  for (std::ptrdiff_t i = 0; i < std::min(count, MostNamed); ++i)
+  triangles_.insert(triangles_.end(), points.begin(), points.end());
+  boundary_.push_back(boundary);
+  cells_.push_back(cell);
+  for (std::vector<std::uint8_t>* flags : { &knowsEdges_, &isOfOpenBody_, &isSheet_ })
   {
-    const ClosedGap& gap = gaps_[static_cast<std::size_t>(i)];
-    const double* at = points_.data() + 3 * std::size_t(gap.rim.front());
-    text += "\n  " + nameOfGap(i) + ", " + number(gap.width) + " wide, of " +
-      number(double(gap.rim.size())) + " edges, at (" + number(at[0]) + ", " + number(at[1]) +
-      ", " + number(at[2]) + ")";
+    flags->resize(flags->empty() ? 0 : cells_.size());
   }
-  text += count > MostNamed ? "\n  ..." : "";
-  if (panes > 0)
-  {
-    text += (count > 0 ? "\n" : "") + number(double(panes)) +
-      " triangles that close holes between other walls, as panes do, are sheets: both sides are "
-      "walls.";
-  }
-  return text;
 }
 
-void SurfaceFromVTK::listGaps(SurfaceDefects& defects) const
+// A triangle that stays as it is keeps what is known of its edges.
+void SurfaceFromVTK::replace(const ClosedGaps& closed)
 {
-  for (const ClosedGap& gap : gaps_)
+  std::vector<std::uint8_t> isReplaced(cells_.size());
+  for (const std::uint32_t t : closed.replaced)
   {
-    std::vector<Vector> rim;
-    for (const std::uint32_t p : gap.rim)
+    isReplaced[t] = 1;
+  }
+  for (const ClosedGaps::Piece& piece : closed.pieces)
+  {
+    const std::size_t given = piece.given;
+    std::array<std::uint32_t, 3> before;
+    std::copy_n(triangles_.begin() + std::ptrdiff_t(3 * given), 3, before.begin());
+    addTriangle(piece.points, boundary_[given], cells_[given]);
+    if (!knowsEdges_.empty() &&
+      std::is_permutation(before.begin(), before.end(), piece.points.begin()))
     {
-      const double* at = points_.data() + 3 * std::size_t(p);
-      rim.push_back({ at[0], at[1], at[2] });
+      knowsEdges_.back() = knowsEdges_[given];
     }
-    addClosedGap(rim, gap.width, defects);
+    if (!region_.empty())
+    {
+      region_.push_back(region_[given]);
+    }
   }
+  isReplaced.resize(cells_.size());
+  drop(isReplaced);
 }
 
 std::string SurfaceFromVTK::describeUndivided() const
@@ -524,6 +515,7 @@ void SurfaceFromVTK::drop(const std::vector<std::uint8_t>& triangles)
   keep(boundary_, 1);
   keep(region_, 1);
   keep(isOfOpenBody_, 1);
+  keep(isSheet_, 1);
 }
 
 void SurfaceFromVTK::dropEmptyRegions()

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "BoundaryNames.h"
-#include "Mesher/ClosedGaps.h"
+#include "GapsInWords.h"
 #include "Mesher/Options.h"
 #include "OpenBodies.h"
 #include "Surface/Surface.h"
@@ -23,7 +23,6 @@ namespace cartesian
 {
 
 struct SurfaceBlock;
-struct SurfaceDefects;
 
 // The array in which vtkSTLReader numbers the named solids of a file.
 constexpr const char* StlSolids = "STLSolidLabeling";
@@ -86,15 +85,10 @@ public:
   void addSides(const std::array<std::string, 6>& names);
   const EndBoundaries& sides() const { return sides_; }
 
-  // Adds the triangles that close gaps, which are of no cell (-1): each gap is a boundary, gap_1 and so on.
-  // Triangles of panes are sheets.
+  // Adds the triangles that close gaps, which are of no cell (-1): each gap is a boundary, gap_1 and so on. Triangles that
+  // they cut are replaced; those of panes are sheets.
   void addGaps(ClosedGaps closed);
-
-  // A message about gaps and panes; empty if there are none.
-  std::string describeGaps() const;
-
-  // Adds gaps to the defects, as their last kind.
-  void listGaps(SurfaceDefects& defects) const;
+  const ClosedGaps& gaps() const { return gaps_; }
 
   // Gives boundaries other names. Those of one name become one, also with one that has the name already.
   void rename(const BoundaryNames& given);
@@ -118,6 +112,9 @@ private:
   void addRegion(const std::string& given);
   std::string describeUndivided() const;
   void placeBaffles();
+  void addTriangle(
+    const std::array<std::uint32_t, 3>& points, std::int32_t boundary, vtkIdType cell);
+  void replace(const ClosedGaps& closed);
   void drop(const std::vector<std::uint8_t>& triangles);
   void dropEmptyRegions();
   std::int32_t numberOf(const std::string& given);
@@ -135,7 +132,7 @@ private:
   std::vector<vtkIdType> undivided_; // polygons
   BoundaryNames names_;
   EndBoundaries sides_ = NoEnds;
-  std::vector<ClosedGap> gaps_;
+  ClosedGaps gaps_;
   std::vector<std::uint8_t> isSheet_; // of each triangle; empty: all 0
   std::vector<std::int32_t> region_;
   std::vector<std::string> regionNames_;

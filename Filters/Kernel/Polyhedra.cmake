@@ -45,8 +45,10 @@ add_library(CartesianPolyhedra STATIC
   Quality/WorstMeasure.cpp
   Sections/CellDivision.cpp
   Sections/FaceFans.cpp
+  Sections/FlatCells.cpp
   Sections/PlaneSection.cpp
   Sections/PolygonBridges.cpp
+  Sections/SideFaces.cpp
   Sections/StarPoint.cpp
   Report/Canvas.cpp
   Report/HistogramDrawing.cpp

@@ -1,5 +1,5 @@
 """Close Gaps: the window of a box becomes a wall called gap_1, at four turns and three sizes of boxes, with settings by its name;
-layers grow on it. The car of Data, wide open, is closed. A smaller width leaves the window to no_surface."""
+layers grow on it. Gaps between houses in a row are closed likewise. The car of Data, wide open, is closed. A smaller width leaves the window to no_surface."""
 
 import math
 import pathlib
@@ -39,6 +39,33 @@ def areas_of(mesher):
     names, areas = data.GetAbstractArray("BoundaryNames"), data.GetArray("BoundaryAreas")
     return {names.GetValue(i): areas.GetValue(i) for i in range(names.GetNumberOfValues())}
 
+
+def houses():
+    """Three boxes beside each other: .05 apart, where 1 x .5 and 1 x 1 face each other."""
+    points, polygons = [], []
+    for low, high in ((0, 0, 0), (1, 1, 1)), ((1.05, 0, 0), (2, 1, 0.5)), ((2.05, 0, 0), (3, 1, 1)):
+        first = len(points)
+        points += [[(low, high)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)]
+        polygons += [[first + i for i in side] for side in
+                     ([0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6])]
+    return producer(polydata(points, polygons))
+
+
+# Gaps between closed parts: their volume is added, of the walls what faces the other goes.
+for number, turn in enumerate(([0, 0, 0], [0, 0, 45], [30, 0, 0], [17, 29, 41])):
+    for size in 0.21, 0.11, 0.06:
+        turned = simple.Transform(Input=simple.Triangulate(Input=houses()), Transform="Transform")
+        turned.Transform.Rotate = turn
+        with Messages() as said:
+            mesher = simple.CartesianMesher(Input=turned, CellSize=size, CloseGaps=0.1, PatchMethod="Exact Fit")
+            areas = areas_of(mesher)
+        assert "2 gaps were closed:\n  gap_1, 0.05 wide" in str(said), str(said)
+        assert all(math.isclose(areas[gap], 0.15, rel_tol=1e-7) for gap in ("gap_1", "gap_2")), (turn, size, areas)
+        assert math.isclose(sum(areas.values()), 6 + 3.85 + 5.8 - 4 * 0.5 + 0.3, rel_tol=1e-8), (turn, size, sum(areas.values()))
+        usual = simple.CartesianMesher(Input=turned, CellSize=size, CloseGaps=0.1)
+        folder = f"{temporary.name}/houses-{number}-{size}"
+        foam.save(simple.OutputPort(usual, "Mesh"), folder)
+        assert foam.CheckMesh(folder).ok, (turn, size)
 
 body = windowed()
 for number, turn in enumerate(([0, 0, 0], [0, 0, 45], [30, 0, 0], [17, 29, 41])):

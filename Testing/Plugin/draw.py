@@ -1,7 +1,7 @@
 """xvfb-run -a pvpython draw.py REPOSITORY PROGRAM [NAME ...]: makes pictures of the help pages: of the mesh of
 their task cut open (task), of a flow that OpenFOAM computed (flow), of a mesh that
 follows a solution (adaptation), of layers (layers), of the coolant jacket (jacket), of sections (slices), of
-cells around a rim (rims), of gaps that are closed (gaps), of terrain (terrain), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
+cells around a rim (rims), of gaps that are closed (gaps, houses), of terrain (terrain), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
 of the exhaust header (regions; needs the folder of surfaces in SURFACES). PROGRAM is cartesian-mesher; the others are made by
 demo.sh, TestImages.py and Window/photograph.py."""
 
@@ -20,7 +20,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 import foam
 import jacket
 from ducts import solve
-from pipeline import DATA, output, producer
+from pipeline import DATA, output, polydata, producer
 from pages import HELP, REPOSITORY, block, blocks
 
 PROGRAM = sys.argv[2]
@@ -234,6 +234,37 @@ def draw_gaps(folder):
     joined("gaps.png", parts)
 
 
+def row_of_houses():
+    """Five boxes on the ground, each beside the one before."""
+    points, polygons, x = [], [], 0
+    for i in range(5):
+        width, depth, height, first = 5 + i * 7 % 5, 8 + i * 3 % 5, 6 + i * 5 % 7, len(points)
+        points += [[x + width * (k & 1), depth * (k >> 1 & 1), height * (k >> 2)] for k in range(8)]
+        polygons += [[first + k for k in side] for side in
+                     ([0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6])]
+        x += width + 0.2 * (1 + i % 3)
+    return producer(polydata(points, polygons))
+
+
+def draw_houses(folder):
+    parts = []
+    for width in 0, 1:
+        mesher = simple.CartesianMesher(Input=row_of_houses(), Domain="Outside", BoxFrom="Bounds", DomainBounds=[-20, 60, -20, 30, 0, 30],
+                                        Ground="zMin", CellSize=1, CloseGaps=width)
+        data = output(mesher).GetFieldData()
+        view = simple.CreateView("RenderView")
+        for i in range(data.GetArray("BoundaryIds").GetNumberOfTuples()):
+            name, number = data.GetAbstractArray("BoundaryNames").GetValue(i), data.GetArray("BoundaryIds").GetValue(i)
+            if name == "boundary_0" or name.startswith("gap_"):
+                display = show(simple.Threshold(Input=simple.OutputPort(mesher, "Boundary"), Scalars=["CELLS", "BoundaryId"],
+                                                LowerThreshold=number - 0.1, UpperThreshold=number + 0.1), view, "BoundaryId")
+                simple.ColorBy(display, None)
+                display.DiffuseColor = [0.6, 0.75, 0.9] if name == "boundary_0" else [0.95, 0.55, 0.25]
+        parts.append(folder / f"{width}.png")
+        picture(parts[-1], view, [-0.2, -1, 0.8], 2, [560, 300])
+    joined("houses.png", parts)
+
+
 def draw_terrain(_):
     """The page's mesh, cut open behind the house."""
     names = {}
@@ -248,6 +279,44 @@ def draw_terrain(_):
     section.ColorArrayName, section.DiffuseColor = ["CELLS", ""], [0.85, 0.9, 0.97]
     simple.GetColorTransferFunction("BoundaryId").RGBPoints = [0, 0.75, 0.85, 0.6, 1, 0.95, 0.6, 0.4]
     picture("terrain.png", view, [0.5, -1, 0.6], 1.25)
+
+
+def stratum(low, high):
+    """Between two fields of heights, each with as many lines as it likes."""
+    points, polygons = [], []
+    for heights, up in (low, False), (high, True):
+        count, first = len(heights), len(points)
+        points += [[2 * i / (count - 1), j / (count - 1), heights[i, j]] for i in range(count) for j in range(count)]
+        for i in range(count - 1):
+            for j in range(count - 1):
+                a, b, c, d = (first + i * count + j for i, j in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
+                polygons += [[a, b, c], [a, c, d]] if up else [[a, c, b], [a, d, c]]
+    below, above = len(low), len(high)
+    at = [lambda i, j: i * below + j, lambda i, j: below * below + i * above + j]
+    for side in range(4):
+        lines = [[at[k](*((i, 0), (n - 1, i), (n - 1 - i, n - 1), (0, n - 1 - i))[side]) for i in range(n)]
+                 for k, n in enumerate((below, above))]
+        polygons.append(lines[0] + lines[1][::-1])
+    return simple.Triangulate(Input=producer(polydata(points, polygons)))
+
+
+def draw_strata(folder):
+    """Rough interfaces that do not match: as they are, and the mesh."""
+    random = np.random.default_rng(3)
+    wave = [(lambda n, k=k: 0.25 * k + 0.05 * np.sin(3 * np.linspace(0, 2, n) + k)[:, None] + np.zeros((n, n))) for k in range(6)]
+    rough = [[wave[k](n) + 0.02 * random.uniform(-1, 1, (n, n)) for n in (9 + k, 13 - k)] for k in range(6)]
+    names = [f"stratum_{k + 1}" for k in range(5)]
+    strata = simple.GroupDatasets(Input=[stratum(rough[k][1], rough[k + 1][0]) for k in range(5)], BlockNames=names)
+    mesher = simple.CartesianMesher(Input=strata, RegionsFrom="Blocks", ContactTolerance=0.1, CellSize=0.05)
+    view = simple.CreateView("RenderView")
+    section = simple.SlicePolyhedra(Input=mesher, Origin=[0, 0.51, 0], Normal=[0, 1, 0])
+    display = show(section, view, "Region")
+    display.Representation = "Surface"
+    display.SetScalarBarVisibility(view, False)
+    edges = simple.Show(simple.ExtractEdges(Input=section), view)
+    edges.ColorArrayName, edges.DiffuseColor, edges.Position = ["CELLS", ""], [0.3, 0.3, 0.3], [0, -0.005, 0]
+    simple.GetColorTransferFunction("Region").RGBPoints = [1, 0.75, 0.65, 0.5, 2, 0.9, 0.85, 0.65, 3, 0.65, 0.8, 0.9, 4, 0.9, 0.7, 0.5, 5, 0.75, 0.85, 0.6]
+    picture("strata.png", view, [0, -1, 0], 1.6, [800, 520])
 
 
 def draw_cad(_):
@@ -271,7 +340,7 @@ CUT = [51, 100, -3]  # in the middle of a tube of the header
 
 DRAWN = {"task": draw_task, "flow": draw_flow, "layers": draw_layers, "adaptation": draw_adaptation,
          "jacket": draw_jacket, "regions": draw_regions, "cad": draw_cad, "slices": draw_slices,
-         "rims": draw_rims, "gaps": draw_gaps, "terrain": draw_terrain}
+         "rims": draw_rims, "gaps": draw_gaps, "houses": draw_houses, "strata": draw_strata, "terrain": draw_terrain}
 for name in sys.argv[3:] or DRAWN:
     with tempfile.TemporaryDirectory() as folder:
         DRAWN[name](pathlib.Path(folder))

@@ -57,23 +57,6 @@ Level oddLevel(Level base, Integer numerator, Integer denominator, bool tieUp)
   return static_cast<Level>(remainder > 0 || tieUp ? whole + 1 : whole - 1);
 }
 
-Level crossPlaneAlong(const Point& a, const Point& b, int axis, Level plane, int free)
-{
-  const std::int64_t rise = difference(b[free], a[free]);
-  const std::int64_t run = difference(b[axis], a[axis]);
-  const std::int64_t part = difference(plane, a[axis]);
-  const double x =
-    a[free] + static_cast<double>(rise) * static_cast<double>(part) / static_cast<double>(run);
-  if (const Level sure = oddLevelIfSure(x, RoundingOfLevels))
-  {
-    return sure;
-  }
-  // The crossing moves by slope * shift(axis), the planes of `free` by shift(free). The shift of
-  // the lower axis is infinitely larger.
-  const bool tieUp = axis < free && (rise > 0) == (run > 0);
-  return oddLevel<Wide>(a[free], static_cast<Wide>(rise) * part, run, tieUp);
-}
-
 // Whether a crossing exactly on an even level lies above that level once the planes are shifted.
 bool lineTieUp(const std::array<Wide, 3>& normal, int along)
 {
@@ -113,14 +96,31 @@ std::array<Wide, 3> exactNormal(const Corners& t)
   return normal;
 }
 
+Level crossPlane(const Point& a, const Point& b, int axis, Level plane, int free)
+{
+  const std::int64_t rise = difference(b[free], a[free]);
+  const std::int64_t run = difference(b[axis], a[axis]);
+  const std::int64_t part = difference(plane, a[axis]);
+  const double x =
+    a[free] + static_cast<double>(rise) * static_cast<double>(part) / static_cast<double>(run);
+  if (const Level sure = oddLevelIfSure(x, RoundingOfLevels))
+  {
+    return sure;
+  }
+  // The crossing moves by slope * shift(axis), the planes of `free` by shift(free). The shift of
+  // the lower axis is infinitely larger.
+  const bool tieUp = axis < free && (rise > 0) == (run > 0);
+  return oddLevel<Wide>(a[free], static_cast<Wide>(rise) * part, run, tieUp);
+}
+
 Point crossPlane(const Point& a, const Point& b, int axis, Level plane)
 {
   const int u = (axis + 1) % 3;
   const int v = (axis + 2) % 3;
   Point p;
   p[axis] = plane;
-  p[u] = crossPlaneAlong(a, b, axis, plane, u);
-  p[v] = crossPlaneAlong(a, b, axis, plane, v);
+  p[u] = crossPlane(a, b, axis, plane, u);
+  p[v] = crossPlane(a, b, axis, plane, v);
   return p;
 }
 

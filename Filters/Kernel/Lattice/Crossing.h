@@ -26,6 +26,9 @@ std::array<Wide, 3> exactNormal(const Corners& triangle);
 // The point of segment ab on the plane `axis` = `plane`, which separates a from b.
 Point crossPlane(const Point& a, const Point& b, int axis, Level plane);
 
+// Its level along one of the two other axes.
+Level crossPlane(const Point& a, const Point& b, int axis, Level plane, int free);
+
 // The point of a triangle on the line along axis `along` through `at`, whose other two levels are
 // planes. The line (shifted as above) must pass through the triangle and not be parallel to it.
 Point crossLine(const Corners& triangle, int along, const Point& at);

@@ -213,25 +213,15 @@ BoxFlags rebuildFlawed(Assembly& a, BoxFlags flawed, Execution& execution)
   return flawed;
 }
 
-[[noreturn]] void tellLeak(
-  const Assembly& a, const ReachedPoint& leak, const PartsToKeep& which, Execution& execution)
+double smallestSide(const Boxes& boxes)
 {
-  LeakSearch search;
   double least = std::numeric_limits<double>::max();
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  for (std::uint32_t b = 0; b < boxes.packed.size(); ++b)
   {
-    search.low[axis] = a.boxes.planes[axis].front();
-    search.high[axis] = a.boxes.planes[axis].back();
-  }
-  for (std::uint32_t b = 0; b < a.boxes.packed.size(); ++b)
-  {
-    const Box box = a.boxes.box(b);
+    const Box box = boxes.box(b);
     least = std::min(least, double(box.high[0] - box.low[0]));
   }
-  search.spacing = least / 2;
-  search.from = leak.from == None ? nullptr : &which.points[leak.from];
-  search.to = &which.keepOut[leak.keptOut];
-  throw Leak(search, findLeak(*which.surface, search, execution));
+  return least;
 }
 
 // Leaves out all parts without a point to keep: from then on, it is as if the surface did not have them. Returns
@@ -247,7 +237,11 @@ BoxFlags keepParts(Assembly& a, BoxFlags flawed, const PartsToKeep& which, const
     which, a.boxes, a.patches, a.sides, a.nodes, makeCells(a, options, execution), execution);
   if (kept.leak)
   {
-    tellLeak(a, *kept.leak, which, execution);
+    LeakSearch search(
+      a.boxes.planes, 0, smallestSide(a.boxes), memoryLimitOf(options, execution.threads()).bytes);
+    search.from = kept.leak->from == None ? nullptr : &which.points[kept.leak->from];
+    search.to = &which.keepOut[kept.leak->keptOut];
+    tellLeak(*which.surface, search, execution);
   }
   a.separate.leftOut = kept.leftOut;
   if (kept.leftOut == 0)

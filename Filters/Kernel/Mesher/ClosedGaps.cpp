@@ -2,8 +2,10 @@
 #include "Mesher/ClosedGaps.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Sorting.h"
 #include "Mesher/Mesher.h"
 #include "Mesher/ViewWithGaps.h"
+#include "Repair/PartGaps.h"
 #include "Repair/StripEnds.h"
 #include "Surface/Places.h"
 #include "Surface/SurfaceEdges.h"
@@ -19,31 +21,50 @@ namespace cartesian
 namespace
 {
 
-// A point of the view at each vertex that triangles use.
-std::vector<std::uint32_t> pointsAt(const Surface& surface, const SurfaceView& view)
+// The points of the view by their places, and others.
+class Points
 {
-  std::map<Point, std::uint32_t> first;
-  for (std::size_t corner = 0; corner < 3 * view.triangleCount; ++corner)
+public:
+  Points(const Lattice& lattice, const SurfaceView& view)
+    : lattice_(lattice)
+    , count_(view.pointCount)
   {
-    const std::uint32_t p = view.triangles[corner];
-    Point place;
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t corner = 0; corner < 3 * view.triangleCount; ++corner)
     {
-      place[static_cast<std::size_t>(axis)] =
-        surface.lattice.vertex(axis, view.points[3 * std::size_t(p) + std::size_t(axis)]);
+      const std::uint32_t p = view.triangles[corner];
+      Point place;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        place[static_cast<std::size_t>(axis)] =
+          lattice_.vertex(axis, view.points[3 * std::size_t(p) + std::size_t(axis)]);
+      }
+      std::uint32_t& lowest = at_.emplace(place, p).first->second;
+      lowest = std::min(lowest, p);
     }
-    std::uint32_t& lowest = first.emplace(place, p).first->second;
-    lowest = std::min(lowest, p);
   }
-  std::vector<std::uint32_t> points;
-  points.reserve(surface.vertices.size());
-  for (const Point& vertex : surface.vertices)
+
+  // A new one where there is none.
+  std::uint32_t at(const Point& place)
   {
-    const auto found = first.find(vertex);
-    points.push_back(found != first.end() ? found->second : 0);
+    const auto [found, isNew] =
+      at_.emplace(place, static_cast<std::uint32_t>(count_ + added_.size() / 3));
+    for (int axis = 0; axis < 3 && isNew; ++axis)
+    {
+      added_.push_back(lattice_.position(axis, place[static_cast<std::size_t>(axis)]));
+    }
+    return found->second;
   }
-  return points;
-}
+
+  std::array<std::uint32_t, 3> at(const Corners& c) { return { at(c[0]), at(c[1]), at(c[2]) }; }
+
+  std::vector<double> takeAdded() { return std::move(added_); }
+
+private:
+  const Lattice& lattice_;
+  std::size_t count_; // of the view
+  std::map<Point, std::uint32_t> at_;
+  std::vector<double> added_;
+};
 
 Surface ofRegion(const Surface& all, std::int32_t region)
 {
@@ -154,6 +175,35 @@ private:
   std::map<std::uint32_t, std::size_t> endings_; // such edges of each part
 };
 
+// The border that starts at the lowest point which has one.
+std::vector<std::uint32_t> loopAround(const std::vector<std::array<std::uint32_t, 3>>& triangles)
+{
+  std::map<std::array<std::uint32_t, 2>, int> uses;
+  for (const auto& t : triangles)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      ++uses[{ t[i], t[(i + 1) % 3] }];
+      --uses[{ t[(i + 1) % 3], t[i] }];
+    }
+  }
+  std::map<std::uint32_t, std::uint32_t> next;
+  for (const auto& [edge, count] : uses)
+  {
+    if (count > 0)
+    {
+      next.emplace(edge[0], edge[1]);
+    }
+  }
+  std::vector<std::uint32_t> loop;
+  for (auto at = next.begin(); at != next.end(); at = next.find(loop.back()))
+  {
+    loop.push_back(at->second);
+    next.erase(at);
+  }
+  return loop;
+}
+
 class GapCloser
 {
 public:
@@ -161,20 +211,19 @@ public:
     : options_(options)
     , execution_(execution)
     , prepared_(joinSurface(view, options, execution))
-    , points_(pointsAt(prepared_.surface, view))
+    , points_(prepared_.surface.lattice, view)
     , parts_(prepared_.surface, execution)
   {
   }
 
   // Between rims that face each other.
-  std::vector<ClosedGap> strips() const
+  std::vector<ClosedGap> strips()
   {
     std::vector<ClosedGap> strips;
     forEachRegion([&](Surface& surface, std::int32_t region) {
       surface.region.assign(surface.triangles.size(), region);
       takeBaffles(surface, options_.baffles);
-      const double step = surface.lattice.step();
-      const double widest = options_.closeGaps / step;
+      const double widest = options_.closeGaps / surface.lattice.step();
       std::vector<RimStrip> found = findRimStrips(surface, widest, execution_);
       const auto isNarrow = [&](const RimStrip& strip) {
         return strip.width < smallestBoxAt(strip.rim, surface);
@@ -183,8 +232,8 @@ public:
       closeEnds(surface, widest, found, execution_);
       for (const RimStrip& strip : found)
       {
-        strips.push_back(gapOf(strip.rim, region, strip.width * step));
-        addTriangles(strip.triangles, strips.back());
+        strips.push_back(gapOf(strip.rim, strip.width, surface, region));
+        addTriangles(strip.triangles.begin(), strip.triangles.end(), surface, strips.back());
       }
     });
     return strips;
@@ -201,7 +250,10 @@ public:
         options_.contactTolerance / prepared_.surface.lattice.step(), execution_);
     }
     forEachRegion([&](Surface& surface, std::int32_t region) { closeIn(surface, region); });
-    std::sort(result_.panes.begin(), result_.panes.end());
+    result_.gaps.insert(result_.gaps.end(), betweenParts_.begin(), betweenParts_.end());
+    result_.panes = sortedUnique(std::move(result_.panes));
+    std::sort(result_.replaced.begin(), result_.replaced.end());
+    result_.added = points_.takeAdded();
     return std::move(result_);
   }
 
@@ -226,8 +278,17 @@ private:
 
   void closeIn(Surface& surface, std::int32_t region)
   {
+    const Surface given = surface;
     const SurfaceRepair repaired =
-      closeAndOrient(surface, prepared_.planes, repairOf(options_), execution_);
+      repair(surface, prepared_.planes, repairOf(options_), execution_);
+    closeHolesOf(repaired, repaired.crossing ? *repaired.crossing : surface, region);
+    closeBetweenParts(
+      closePartGaps(given, surface, options_.closeGaps / surface.lattice.step(), execution_),
+      region);
+  }
+
+  void closeHolesOf(const SurfaceRepair& repaired, const Surface& surface, std::int32_t region)
+  {
     for (const Hole& hole : repaired.holes)
     {
       const double width = hole.width * surface.lattice.step();
@@ -240,32 +301,72 @@ private:
         result_.panes.insert(result_.panes.end(), pane.begin(), pane.end());
         continue;
       }
-      ClosedGap gap = gapOf(hole.rim, region, width);
+      ClosedGap gap = gapOf(hole.rim, hole.width, surface, region);
       const auto first = surface.triangles.begin() + std::ptrdiff_t(hole.firstTriangle);
-      addTriangles({ first, first + std::ptrdiff_t(hole.triangles) }, gap);
+      addTriangles(first, first + std::ptrdiff_t(hole.triangles), surface, gap);
       result_.gaps.push_back(std::move(gap));
     }
   }
 
-  ClosedGap gapOf(const std::vector<std::uint32_t>& rim, std::int32_t region, double width) const
+  // `width`: levels.
+  ClosedGap gapOf(const std::vector<std::uint32_t>& rim, double width, const Surface& surface,
+    std::int32_t region)
   {
     ClosedGap gap;
     gap.region = region;
-    gap.width = width;
+    gap.width = width * surface.lattice.step();
     for (const std::uint32_t vertex : rim)
     {
-      gap.rim.push_back(points_[vertex]);
+      gap.rim.push_back(points_.at(surface.vertices[vertex]));
     }
     return gap;
   }
 
-  void addTriangles(
-    const std::vector<std::array<std::uint32_t, 3>>& triangles, ClosedGap& gap) const
+  template <class Iterator>
+  void addTriangles(Iterator first, Iterator end, const Surface& surface, ClosedGap& gap)
   {
-    for (const auto& [a, b, c] : triangles)
+    for (; first != end; ++first)
     {
-      gap.triangles.push_back({ points_[a], points_[b], points_[c] });
+      const auto& [a, b, c] = *first;
+      gap.triangles.push_back(
+        points_.at(Corners{ surface.vertices[a], surface.vertices[b], surface.vertices[c] }));
     }
+  }
+
+  void closeBetweenParts(const PartGaps& found, std::int32_t region)
+  {
+    for (const PartGaps::Gap& gap : found.gaps)
+    {
+      ClosedGap closed;
+      closed.region = region;
+      closed.width = gap.width * prepared_.surface.lattice.step();
+      for (const Corners& strip : gap.strips)
+      {
+        closed.triangles.push_back(points_.at(strip));
+      }
+      closed.rim = loopAround(closed.triangles);
+      betweenParts_.push_back(std::move(closed));
+    }
+    for (const PartGaps::Piece& piece : found.pieces)
+    {
+      result_.pieces.push_back({ piece.given, points_.at(piece.corners) });
+    }
+    result_.replaced.insert(result_.replaced.end(), found.replaced.begin(), found.replaced.end());
+    for (const Vector& place : found.refused)
+    {
+      result_.refused.push_back(userPlaceOf(place));
+    }
+  }
+
+  Vector userPlaceOf(const Vector& levels) const
+  {
+    const Lattice& lattice = prepared_.surface.lattice;
+    Vector place = scaled(levels, lattice.step());
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      place[axis] += lattice.origin()[axis];
+    }
+    return place;
   }
 
   // Its shortest side, levels.
@@ -283,10 +384,66 @@ private:
   const Options& options_;
   Execution& execution_;
   PreparedSurface prepared_;
-  std::vector<std::uint32_t> points_; // of the view, at vertices
-  Parts parts_;                       // before anything is repaired
+  Points points_;
+  Parts parts_; // before anything is repaired
+  std::vector<ClosedGap> betweenParts_;
   ClosedGaps result_;
 };
+
+using TrianglesOfPoints = std::vector<std::array<std::uint32_t, 3>>;
+
+// Takes out what is of triangles from `count` on, those of strips; returns the pieces that replace them, by triangle.
+std::map<std::uint32_t, TrianglesOfPoints> takeOfStrips(std::size_t count, ClosedGaps& closed)
+{
+  const auto isGiven = [&](std::uint32_t triangle) { return triangle < count; };
+  const auto cut = [&](std::vector<std::uint32_t>& triangles) {
+    return std::partition_point(triangles.begin(), triangles.end(), isGiven);
+  };
+  closed.panes.erase(cut(closed.panes), closed.panes.end());
+  std::map<std::uint32_t, TrianglesOfPoints> pieces;
+  for (auto triangle = cut(closed.replaced); triangle != closed.replaced.end(); ++triangle)
+  {
+    pieces[*triangle];
+  }
+  closed.replaced.erase(cut(closed.replaced), closed.replaced.end());
+  std::vector<ClosedGaps::Piece> given;
+  for (const ClosedGaps::Piece& piece : closed.pieces)
+  {
+    if (isGiven(piece.given))
+    {
+      given.push_back(piece);
+    }
+    else
+    {
+      pieces[piece.given].push_back(piece.points);
+    }
+  }
+  closed.pieces = std::move(given);
+  return pieces;
+}
+
+// The triangles of strips, the first gaps, are those of the view from `count` on.
+void replaceInStrips(std::size_t count, ClosedGaps& closed)
+{
+  const std::map<std::uint32_t, TrianglesOfPoints> pieces = takeOfStrips(count, closed);
+  auto triangle = static_cast<std::uint32_t>(count);
+  for (auto gap = closed.gaps.begin(); gap != closed.gaps.end() && !pieces.empty(); ++gap)
+  {
+    TrianglesOfPoints kept;
+    for (const auto& points : gap->triangles)
+    {
+      if (const auto found = pieces.find(triangle++); found == pieces.end())
+      {
+        kept.push_back(points);
+      }
+      else
+      {
+        kept.insert(kept.end(), found->second.begin(), found->second.end());
+      }
+    }
+    gap->triangles = std::move(kept);
+  }
+}
 
 }
 
@@ -305,9 +462,7 @@ ClosedGaps closedGaps(const SurfaceView& view, const Options& options, Execution
   }
   const ViewWithGaps whole(view, strips);
   ClosedGaps closed = GapCloser(whole.view(), options, execution).close(std::move(strips));
-  const auto given = [&](std::uint32_t triangle) { return triangle < view.triangleCount; };
-  closed.panes.erase(
-    std::partition_point(closed.panes.begin(), closed.panes.end(), given), closed.panes.end());
+  replaceInStrips(view.triangleCount, closed);
   return closed;
 }
 

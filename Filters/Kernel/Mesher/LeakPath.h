@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The way through which a point to keep out is reached, and the gaps that it passes.
+// The way through which a point to keep out is reached (LeakWay.h), and the gaps that it passes (LeakGaps.h).
 //
-// Method: the shortest way (Dijkstra's algorithm) on a grid of points whose lines the surface blocks (PointGrid.h). Lengths
-// count more next to walls, so that the way runs through the middle of gaps; its distances from the walls are small in
-// these: a gap is where one is a minimum, less than two thirds of what is before and behind. Around each a finer search,
-// in which walls alone count, finds its middle.
 // Limits: of several gaps side by side one is found, the shortest or a wider one nearby. The grid has as many points as
-// Searches says: a narrower gap than these find has no way, only the message.
+// Searches says, and as the memory limit allows: a narrower gap than these find has no way, only the message.
 #pragma once
 
 #include "Base/Error.h"
+#include "Lattice/Meshlines.h"
 #include "Lattice/Vector.h"
 #include "Surface/KeepPoints.h"
 
@@ -20,6 +17,8 @@ struct LeakGap
 {
   std::array<Vector, 2> across; // from wall to wall, through the middle
   double width = 0;             // the distance between these
+
+  Vector middle() const { return scaled(plus(across[0], across[1]), 0.5); }
 };
 
 struct LeakPath
@@ -32,15 +31,19 @@ struct LeakSearch
 {
   Point low; // where to search
   Point high;
-  double spacing = 0; // of points, levels, if there may be so many; less where no way is found
+  double spacing; // of points, levels, if there may be so many; less where no way is found
+  double memory;  // of the grid of points, at most; bytes
   const KeepPoint* from = nullptr; // none: the ends of what is searched
   const KeepPoint* to = nullptr;
+
+  // Between the outer planes, and so many levels around, for gaps as narrow as half a box's side.
+  LeakSearch(const Meshlines& planes, Level around, double side, double most);
 
   double diagonal() const;
   double spacingOf(double points) const; // that there would be
 };
 
-// In user units.
+// In user units. Reports progress.
 LeakPath findLeak(const Surface& walls, const LeakSearch& search, Execution& execution);
 
 // A point to keep out is reached.
@@ -50,5 +53,8 @@ struct Leak : Error
 
   LeakPath path;
 };
+
+// Throws it.
+[[noreturn]] void tellLeak(const Surface& walls, const LeakSearch& search, Execution& execution);
 
 }

@@ -25,10 +25,11 @@ PointGrid::PointGrid(const Point& low, const Point& high, double spacing)
   isBlocked_.resize(size());
 }
 
-void PointGrid::block(const Surface& walls)
+void PointGrid::block(const Surface& walls, Execution& execution)
 {
   for (std::size_t t = 0; t < walls.triangles.size(); ++t)
   {
+    execution.poll();
     for (const RowAxes& axes : RowsAlong)
     {
       block(walls.corners(t), axes);

@@ -21,8 +21,8 @@ public:
 
   std::size_t size() const { return lines_[0].size() * lines_[1].size() * lines_[2].size(); }
 
-  // Blocks the lines that these cross.
-  void block(const Surface& walls);
+  // Blocks the lines that these cross. Polls.
+  void block(const Surface& walls, Execution& execution);
 
   std::size_t pointAt(const Index& i) const
   {

@@ -114,17 +114,12 @@ private:
   {
     const std::vector<KeepPoint> points =
       onLattice(options_.domain.keepPoints, surface_, prepared_.planes);
-    LeakSearch search;
-    search.spacing = side_ / 2;
+    LeakSearch search(prepared_.planes,
+      options_.domain.isOutside() ? 0 : roomAround(prepared_.planes), side_,
+      prepared_.memoryLimit.bytes);
     search.from = reach.from ? &points[*reach.from] : nullptr;
     search.to = &keepOut_[*reach.keptOut];
-    const Level around = options_.domain.isOutside() ? 0 : roomAround(prepared_.planes);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      search.low[axis] = prepared_.planes[axis].front() - around;
-      search.high[axis] = prepared_.planes[axis].back() + around;
-    }
-    throw Leak(search, findLeak(surface_, search, execution_));
+    cartesian::tellLeak(surface_, search, execution_);
   }
 
   void findTerrain()

@@ -23,8 +23,14 @@ constexpr double Reach = 1.5;
 // Walls that end so close beside each other end together.
 constexpr double Beside = 0.05;
 
+// What is less aside is flush, by the tolerance.
+constexpr double Flush = 1e-3;
+
 // How far curtains reach into the other region: in turn, where some still cross, or walls do not close.
 constexpr std::array<double, 4> Into{ 0.1, 0.03, 0.3, 1 };
+
+// How often a part of an edge is made shorter by a third.
+constexpr int Thirds = 30;
 
 // Places of a triangle are so far from its corners, as a part of the way to its middle: not on rims.
 constexpr double Inward = 0.02;
@@ -54,6 +60,11 @@ public:
   void divide(std::int32_t regions, Execution& execution)
   {
     findCuts();
+    std::vector<std::vector<std::size_t>> triangles(static_cast<std::size_t>(regions) + 1);
+    for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
+    {
+      triangles[static_cast<std::size_t>(surface_.region[t])].push_back(t);
+    }
     Surface divided;
     divided.vertices = surface_.vertices;
     for (std::int32_t region = FirstRegion; region <= regions; ++region)
@@ -62,12 +73,9 @@ public:
       own.lattice = surface_.lattice;
       own.rounding = surface_.rounding;
       own.vertices.swap(divided.vertices);
-      for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
+      for (const std::size_t t : triangles[static_cast<std::size_t>(region)])
       {
-        if (surface_.region[t] == region)
-        {
-          own.append(surface_, t);
-        }
+        own.append(surface_, t);
       }
       if (!cuts_[region].empty())
       {
@@ -117,7 +125,8 @@ private:
     const auto height = [&](const Vector&, const Vector&, std::uint32_t) {
       return Reach * tolerance_;
     };
-    curtains.hang(height, [&](const Triple& strip, const Curtains::Curtain& curtain) {
+    const auto straight = [](const Vector&, const Vector& way, std::uint32_t) { return way; };
+    curtains.hang(straight, height, [&](const Triple& strip, const Curtains::Curtain& curtain) {
       append(surface_, curtain.own, strip, surface_);
       const auto last = static_cast<std::uint32_t>(surface_.triangles.size() - 1);
       for (const std::uint32_t t : faced[curtain.own])
@@ -142,8 +151,8 @@ private:
       toVector(surface_.vertices[edge.ends[1]]), tolerance_);
     std::vector<std::uint32_t> faced;
     neighbours_.tree().forEachWithin(box.low, box.high, [&](std::uint32_t t) {
-      if (surface_.region[t] > surface_.region[own] && isNearPlane(own, surface_.triangles[t]) &&
-        isNearPlane(t, surface_.triangles[own]) && neighbours_.areFacing(own, t))
+      if (surface_.region[t] > surface_.region[own] && neighbours_.areFacing(own, t) &&
+        isNear(edge, t))
       {
         faced.push_back(t);
       }
@@ -151,16 +160,31 @@ private:
     return faced;
   }
 
-  // Whether corners are within reach of a triangle's plane, or on both sides of it.
-  bool isNearPlane(std::uint32_t t, const Triple& corners) const
+  // The distance of places along the edge has one minimum.
+  bool isNear(const Neighbours::Edge& edge, std::uint32_t t) const
   {
-    const Point& base = surface_.vertices[surface_.triangles[t][0]];
-    const auto height = [&](std::uint32_t v) {
-      return dot(neighbours_.normal(t), minus(surface_.vertices[v], base));
+    const Vector start = toVector(surface_.vertices[edge.ends[0]]);
+    const Vector along = minus(surface_.vertices[edge.ends[1]], surface_.vertices[edge.ends[0]]);
+    const Corners corners = surface_.corners(t);
+    const auto distanceAt = [&](double part) {
+      const Vector place = plus(start, scaled(along, part));
+      return norm(minus(nearestPlace(corners, place), place));
     };
-    const auto [low, high] =
-      std::minmax({ height(corners[0]), height(corners[1]), height(corners[2]) });
-    return low <= Reach * tolerance_ && high >= -Reach * tolerance_;
+    double low = 0;
+    double high = 1;
+    for (int i = 0; i < Thirds; ++i)
+    {
+      const double third = (high - low) / 3;
+      if (distanceAt(low + third) < distanceAt(high - third))
+      {
+        high -= third;
+      }
+      else
+      {
+        low += third;
+      }
+    }
+    return distanceAt(low) <= tolerance_ + Slack;
   }
 
   // Whether a strip divides a triangle, and does not run along its edges.
@@ -204,10 +228,11 @@ struct Faced
 class ContactOpener
 {
 public:
-  ContactOpener(Surface& surface, double tolerance, Execution& execution)
+  ContactOpener(Surface& surface, const ContactSpec& spec, Execution& execution)
     : surface_(surface)
-    , neighbours_(surface, tolerance, execution)
-    , tolerance_(tolerance)
+    , neighbours_(surface, spec.tolerance, execution)
+    , tolerance_(spec.tolerance)
+    , boundaryOfCurtains_(spec.boundaryOfCurtains)
     , facing_(surface.triangles.size())
   {
   }
@@ -231,8 +256,15 @@ public:
       const Faced faced = facedAt(plus(place, inward), way, own);
       return faced.earlier == OutsideRegion ? 0 : std::max(0., faced.gap);
     };
-    curtains.hang(height, [&](const Triple& triangle, const Curtains::Curtain& curtain) {
+    const auto aim = [&](const Vector& place, const Vector& way, std::uint32_t own) {
+      return aimAt(place, way, own);
+    };
+    curtains.hang(aim, height, [&](const Triple& triangle, const Curtains::Curtain& curtain) {
       append(surface_, curtain.beside, triangle, surface_);
+      if (boundaryOfCurtains_ != ContactSpec::AsBeside)
+      {
+        surface_.boundary.back() = boundaryOfCurtains_ + curtain.towards;
+      }
       surface_.region.back() = regionOfCurtains(surface_.region.back(), regions);
     });
     return takeAway();
@@ -323,6 +355,38 @@ private:
     }
   }
 
+  // Within the edge of a wall that a rim on its way would miss, but no more than what ends together.
+  Vector aimAt(const Vector& rim, const Vector& way, std::uint32_t own) const
+  {
+    const Vector place = plus(rim, scaled(minus(middleOf(surface_, own), rim), Inward));
+    const Faced faced = facedAt(place, way, own);
+    double aside = HUGE_VAL;
+    Vector within{};
+    const Vector reach = scaled(way, Reach * tolerance_);
+    const Box box = boxAround(minus(rim, reach), plus(rim, reach), Beside * tolerance_);
+    neighbours_.tree().forEachWithin(box.low, box.high, [&](std::uint32_t t) {
+      const double lean = dot(neighbours_.normal(t), way);
+      if (surface_.region[t] != faced.earlier || lean >= 0)
+      {
+        return;
+      }
+      const Corners c = surface_.corners(t);
+      const double along = dot(neighbours_.normal(t), minus(toVector(c[0]), rim)) / lean;
+      const Vector at = plus(rim, scaled(way, along));
+      const Vector on = nearestPlace(c, at);
+      if (std::abs(along) <= Reach * tolerance_ && norm(minus(on, at)) < aside)
+      {
+        const Vector inward = minus(middleOf(surface_, t), on);
+        aside = norm(minus(on, at));
+        within = plus(
+          on, scaled(inward, std::min(1., Beside * tolerance_ / std::max(norm(inward), Slack))));
+      }
+    });
+    const bool misses =
+      faced.earlier != OutsideRegion && aside > Flush * tolerance_ && aside < HUGE_VAL;
+    return misses ? unit(minus(within, rim)) : way;
+  }
+
   // Of the walls that a place's normal meets first on the way out of the region, or into it if there is an overlap.
   Faced facedAt(const Vector& place, const Vector& normal, std::uint32_t own) const
   {
@@ -357,7 +421,7 @@ private:
         hit = std::abs(along) < std::abs(hit.along) ? Hit{ along, t } : hit;
       }
     });
-    Faced first{ OutsideRegion, 2 * reach, 0 };
+    Faced first{ OutsideRegion, 2 * reach };
     for (const auto& [region, both] : nearest)
     {
       for (const Hit& hit : both)
@@ -416,6 +480,7 @@ private:
   Surface& surface_;
   Neighbours neighbours_;
   double tolerance_;
+  std::int32_t boundaryOfCurtains_;
   std::vector<std::int32_t> facing_; // of each triangle, or outside
   std::map<std::array<std::uint32_t, 2>, std::vector<Vector>>
     beside_; // of a vertex and a triangle: normals across sharp edges
@@ -480,17 +545,16 @@ void listTriangles(const Surface& all, std::vector<ClosedContact>& contacts)
 }
 
 Surface wallsWithContacts(const Surface& all, const Surface& sheets, const Bodies& bodies,
-  double tolerance, std::vector<ClosedContact>& contacts, Surface& arranged,
+  const ContactSpec& spec, std::vector<ClosedContact>& contacts, Surface& arranged,
   std::vector<std::uint32_t>& crossing, Execution& execution)
 {
   Surface divided = all;
-  WallDivider(divided, tolerance, execution).divide(bodies.regions, execution);
+  WallDivider(divided, spec.tolerance, execution).divide(bodies.regions, execution);
   Surface walls;
   for (const double into : Into)
   {
     arranged = divided;
-    OpenedContacts opened =
-      ContactOpener(arranged, tolerance, execution).open(bodies.regions, into);
+    OpenedContacts opened = ContactOpener(arranged, spec, execution).open(bodies.regions, into);
     if (opened.contacts.empty())
     {
       break;
@@ -509,7 +573,7 @@ Surface wallsWithContacts(const Surface& all, const Surface& sheets, const Bodie
     }
     if (crossing.empty())
     {
-      giveBoundaries(opened, Reach * tolerance, spaces, arranged, pieces);
+      giveBoundaries(opened, Reach * spec.tolerance, spaces, arranged, pieces);
       walls = wallsBetween(arranged, bodies, pieces, spaces, execution);
       contacts = std::move(opened.contacts);
       listTriangles(all, contacts);

@@ -36,10 +36,19 @@ struct ClosedContact
   std::array<std::string, 2> names; // of the regions, for messages
 };
 
-// As wallsOf(), of regions that are not arranged yet, and sheets; nothing, and no contacts, where no walls are near. `tolerance`: in levels. `arranged`: what `crossing` are
-// triangles of.
+struct ContactSpec
+{
+  static constexpr std::int32_t AsBeside = NoBoundary - 1; // of the wall that a curtain continues
+
+  double tolerance; // levels
+  std::int32_t boundaryOfCurtains =
+    AsBeside; // of those towards a region: the same, plus the region
+};
+
+// As wallsOf(), of regions that are not arranged yet, and sheets; nothing, and no contacts, where no walls are near.
+// `arranged`: what `crossing` are triangles of.
 Surface wallsWithContacts(const Surface& all, const Surface& sheets, const Bodies& bodies,
-  double tolerance, std::vector<ClosedContact>& contacts, Surface& arranged,
+  const ContactSpec& spec, std::vector<ClosedContact>& contacts, Surface& arranged,
   std::vector<std::uint32_t>& crossing, Execution& execution);
 
 }

@@ -3,6 +3,7 @@
 //
 // A strip runs along the walls beside the rim, as far as these do not lean too much: so what is flush stays flat. The
 // normals of these are means over all that is in one plane with them, as those of small triangles are not exact. In levels.
+// The method is the project's own.
 #pragma once
 
 #include "Lattice/Vector.h"
@@ -194,23 +195,26 @@ public:
     planned_.push_back({ { isForward ? a : b, isForward ? b : a }, own, beside, towards });
     for (const std::uint32_t v : edge.ends)
     {
-      rims_[{ v, towards }].own = own;
+      addOwn(own, rims_[{ v, towards }].own);
       rims_[{ v, towards }].beside.push_back(
         neighbours_.normalAround(toVector(surface_.vertices[v]), beside, FlatLean));
     }
   }
 
-  // Calls visit(triangle, curtain) for the triangles of all. They are as high as height(place, way, own) is at most
-  // along their edges.
-  template <class Height, class Visitor>
-  void hang(Height&& height, Visitor&& visit)
+  // Calls visit(triangle, curtain) for the triangles of all. They stand at rims along aim(place, way, own), where `way` is along
+  // the walls, and are as high as height(place, way, own) is at most along their edges.
+  template <class Aim, class Height, class Visitor>
+  void hang(Aim&& aim, Height&& height, Visitor&& visit)
   {
     for (auto& [key, rim] : rims_)
     {
       const Vector place = toVector(surface_.vertices[key.first]);
-      rim.way =
-        directionsAlong(rim.beside, neighbours_.normalAround(place, rim.own, MostLean, parts_))
-          .back();
+      Vector normal{};
+      for (const std::uint32_t own : rim.own)
+      {
+        normal = plus(normal, neighbours_.normalAround(place, own, MostLean, parts_));
+      }
+      rim.way = aim(place, directionsAlong(rim.beside, unit(normal)).back(), rim.own.front());
     }
     for (const Curtain& curtain : planned_)
     {
@@ -218,7 +222,7 @@ public:
     }
     for (auto& [key, rim] : rims_)
     {
-      const Vector end = plus(toVector(surface_.vertices[key.first]), scaled(rim.way, rim.height));
+      const Vector end = endOf(toVector(surface_.vertices[key.first]), rim);
       rim.end = static_cast<std::uint32_t>(surface_.vertices.size());
       surface_.vertices.push_back({ oddLevel(end[0]), oddLevel(end[1]), oddLevel(end[2]) });
     }
@@ -243,12 +247,37 @@ public:
 private:
   struct Rim
   {
-    std::uint32_t own = 0;      // a triangle
-    std::vector<Vector> beside; // normals
+    std::vector<std::uint32_t> own; // triangles, one of each side of a sharp edge
+    std::vector<Vector> beside;     // normals
     Vector way{};
     double height = 0;
     std::uint32_t end = 0;
   };
+
+  // On the lattice.
+  static Vector endOf(const Vector& place, const Rim& rim)
+  {
+    double height = rim.height;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double room = rim.way[axis] < 0 ? place[axis] - 1 : LevelsOfTheDomain - place[axis];
+      height = std::min(height, rim.way[axis] == 0 ? height : room / std::abs(rim.way[axis]));
+    }
+    return plus(place, scaled(rim.way, height));
+  }
+
+  // A corner of walls that face another all around it gets a way between them.
+  void addOwn(std::uint32_t triangle, std::vector<std::uint32_t>& all) const
+  {
+    const auto isLike = [&](std::uint32_t other) {
+      return dot(neighbours_.normal(other), neighbours_.normal(triangle)) >=
+        std::cos(radians(SharpAngle));
+    };
+    if (std::none_of(all.begin(), all.end(), isLike))
+    {
+      all.push_back(triangle);
+    }
+  }
 
   template <class Height>
   void measure(const Curtain& curtain, Height&& height)

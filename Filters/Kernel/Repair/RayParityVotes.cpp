@@ -19,7 +19,9 @@ constexpr std::size_t MostCrossings = 2500000;
 
 // Followed at once on all threads: at first, and at the most.
 constexpr std::size_t FirstRays = 16;
-constexpr std::size_t MostRays = 1024;
+constexpr std::size_t MostRays = 16384;
+
+constexpr std::size_t RaysACheck = 1024; // of the limit
 
 class VoteCounter
 {
@@ -38,22 +40,27 @@ public:
   void vote(
     std::size_t along, std::vector<SampleRay>& rays, const TriangleTree& tree, Execution& execution)
   {
-    std::sort(rays.begin(), rays.end());
+    sortAll(rays, execution);
     std::size_t crossed = 0;
-    std::vector<std::vector<RayCrossing>> crossings;
-    for (std::size_t first = 0; first < rays.size() && crossed < MostCrossings;
-         first += crossings.size())
+    std::size_t next = 0;
+    while (next < rays.size() && crossed < MostCrossings)
     {
-      crossings.resize(std::min({ std::max(first, FirstRays), MostRays, rays.size() - first }));
-      execution.forEach(crossings.size(), 1, [&](std::size_t i, std::size_t) {
-        crossings[i] = crossingsOf(surface_, tree, along, rays[first + i].place);
-      });
-      for (std::size_t i = 0; i < crossings.size(); ++i)
+      std::vector<Point> places(
+        std::min({ std::max(next, FirstRays), MostRays, rays.size() - next }));
+      std::transform(rays.data() + next, rays.data() + next + places.size(), places.begin(),
+        [](const SampleRay& ray) { return ray.place; });
+      const Buckets<NumberedCrossing> crossings =
+        crossingsOf(surface_, tree, along, places, execution);
+      for (std::size_t i = 0; i < places.size(); ++i)
       {
-        const std::vector<RayCrossing>& all = crossings[i];
-        countLine(all.data(), all.data() + all.size(), rays[first + i].sheet);
-        crossed += all.size();
+        if (i % RaysACheck == 0 && crossed >= MostCrossings)
+        {
+          return;
+        }
+        countLine(crossings.begin(i), crossings.end(i), rays[next + i].sheet);
+        crossed += static_cast<std::size_t>(crossings.end(i) - crossings.begin(i));
       }
+      next += places.size();
     }
   }
 
@@ -61,14 +68,14 @@ public:
 
 private:
   // The crossings of one line, which was laid through a sheet.
-  void countLine(const RayCrossing* begin, const RayCrossing* end, std::uint32_t sheet)
+  void countLine(const NumberedCrossing* begin, const NumberedCrossing* end, std::uint32_t sheet)
   {
     if ((end - begin) % 2 == 1)
     {
       return; // it passes through a hole
     }
     entered_.clear();
-    for (const RayCrossing* vote = begin; vote != end; ++vote)
+    for (const NumberedCrossing* vote = begin; vote != end; ++vote)
     {
       const std::uint32_t own = sheets_.of(vote->triangle);
       const bool isAlone = (vote == begin || vote[-1].level != vote->level) &&
@@ -90,7 +97,8 @@ private:
     }
   }
 
-  void addFacing(const RayCrossing& vote, bool entering, RayParityVotes::OfFacing& facing) const
+  void addFacing(
+    const NumberedCrossing& vote, bool entering, RayParityVotes::OfFacing& facing) const
   {
     const bool outward = entering != vote.up;
     ++(outward != sheets_.turned(vote.triangle) ? facing.outward : facing.inward);
@@ -115,18 +123,19 @@ private:
   }
 
   // What the line is in where it crosses a sheet.
-  void addNesting(const RayCrossing* begin, const RayCrossing* sample, const RayCrossing* end)
+  void addNesting(
+    const NumberedCrossing* begin, const NumberedCrossing* sample, const NumberedCrossing* end)
   {
     const std::uint32_t own = sheets_.of(sample->triangle);
     const auto isNear = [&](const RayCrossing& other) {
       return std::abs(double(other.level) - double(sample->level)) < near_;
     };
     close_.clear();
-    for (const RayCrossing* c = sample; c != begin && isNear(c[-1]); --c)
+    for (const NumberedCrossing* c = sample; c != begin && isNear(c[-1]); --c)
     {
       close_.push_back(bodyOf(sheets_.of(c[-1].triangle)));
     }
-    for (const RayCrossing* c = sample + 1; c != end && isNear(*c); ++c)
+    for (const NumberedCrossing* c = sample + 1; c != end && isNear(*c); ++c)
     {
       close_.push_back(bodyOf(sheets_.of(c->triangle)));
     }

@@ -185,7 +185,7 @@ std::optional<std::vector<ClosedContact>> separateRegions(
   {
     Surface arranged;
     walls =
-      wallsWithContacts(all, found, bodies, tolerance, contacts, arranged, crossing, execution);
+      wallsWithContacts(all, found, bodies, { tolerance }, contacts, arranged, crossing, execution);
     if (!crossing.empty())
     {
       all = std::move(arranged);

@@ -30,7 +30,7 @@ inline CrossedLevels crossedLevels(const Corners& triangle, const RowAxes& axes,
     const Point& q = following(triangle, i);
     if ((p[axes.outer] < outer) != (q[axes.outer] < outer))
     {
-      const Level at = crossPlane(p, q, axes.outer, outer)[axes.middle];
+      const Level at = crossPlane(p, q, axes.outer, outer, axes.middle);
       (p[axes.outer] < outer ? rising : falling) = at;
     }
   }

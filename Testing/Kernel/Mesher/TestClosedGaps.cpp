@@ -651,8 +651,9 @@ TEST(ClosedGaps, NoOtherStrips)
   const Soup open = halves({ 1, 1.3, 0.8 }, 0.1, random);
   EXPECT_EQ(gapsOf(open, 0.09, 0.101).size(), 1U);
   EXPECT_TRUE(gapsOf(open, 0.09, 0.099).empty());
-  EXPECT_TRUE(gapsOf(open, 0.11, 0.2).empty());
-  EXPECT_EQ(gapsOf(open, 0.11, 0.2, 1).size(), 1U);
+  const Soup withLid = boxWithLids({ 1, 1.3, 0.8 }, 1, 0.1, random);
+  EXPECT_TRUE(gapsOf(withLid, 0.11, 0.2).empty());
+  EXPECT_EQ(gapsOf(withLid, 0.11, 0.2, 1).size(), 1U);
 }
 
 // The slot around a door with hinges is one loop: a hole twice as wide.

@@ -218,3 +218,35 @@ TEST(KeepOut, InsideOfAClosedBody)
   options.domain.keepOut = { { 7, 7, 7 } };
   EXPECT_FALSE(leakOf(cube(), options).has_value());
 }
+
+// The first search is too coarse for the gaps; the next one takes more memory than the least limit here.
+TEST(KeepOut, TheSearchHasALimitAndStops)
+{
+  Rooms rooms;
+  rooms.above = rooms.between = 0.04;
+  rooms.build();
+  const Bounds all{ { -1, -1, -1 }, { 3, 2, 3 } };
+  Execution execution;
+  const Surface surface = onLattice(rooms.soup.view(), Lattice(all), execution);
+  Meshlines planes;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    planes[axis] = { surface.lattice.vertex(int(axis), all.low[axis]) + 1,
+      surface.lattice.vertex(int(axis), all.high[axis]) - 1 };
+  }
+  KeepPoint from;
+  KeepPoint to;
+  from.place = rooms.inside;
+  to.place = rooms.outside;
+  const auto pathWith = [&](double memory, Execution& with) {
+    LeakSearch search(planes, 0, 1, memory);
+    search.from = &from;
+    search.to = &to;
+    return findLeak(surface, search, with);
+  };
+  EXPECT_TRUE(pathWith(1e7, execution).points.empty());
+  EXPECT_EQ(pathWith(1e9, execution).gaps.size(), 2U);
+  Execution stopped(1, [](double fraction, const char*) { return fraction < 0.01; });
+  stopped.stage("Leak", 0, 1);
+  EXPECT_THROW(pathWith(1e9, stopped), Stopped);
+}
