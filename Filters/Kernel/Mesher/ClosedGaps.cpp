@@ -4,7 +4,9 @@
 #include "Base/DisjointSets.h"
 #include "Base/Sorting.h"
 #include "Mesher/Mesher.h"
+#include "Mesher/ViewWithGaps.h"
 #include "Repair/PartGaps.h"
+#include "Repair/StripEnds.h"
 #include "Surface/Places.h"
 #include "Surface/SurfaceEdges.h"
 
@@ -212,28 +214,42 @@ public:
     , points_(prepared_.surface.lattice, view)
     , parts_(prepared_.surface, execution)
   {
-    const std::vector<std::uint8_t>& open = prepared_.openSheets.isOfOne;
-    if (!options.baffles.empty() || !open.empty())
-    {
-      doubleSheets(prepared_.surface, options.baffles, open,
-        options.contactTolerance / prepared_.surface.lattice.step(), execution);
-    }
   }
 
-  ClosedGaps close()
+  // Between rims that face each other.
+  std::vector<ClosedGap> strips()
   {
-    if (prepared_.surface.region.empty())
+    std::vector<ClosedGap> strips;
+    forEachRegion([&](Surface& surface, std::int32_t region) {
+      surface.region.assign(surface.triangles.size(), region);
+      takeBaffles(surface, options_.baffles);
+      const double widest = options_.closeGaps / surface.lattice.step();
+      std::vector<RimStrip> found = findRimStrips(surface, widest, execution_);
+      const auto isNarrow = [&](const RimStrip& strip) {
+        return strip.width < smallestBoxAt(strip.rim, surface);
+      };
+      found.erase(std::remove_if(found.begin(), found.end(), isNarrow), found.end());
+      closeEnds(surface, widest, found, execution_);
+      for (const RimStrip& strip : found)
+      {
+        strips.push_back(gapOf(strip.rim, strip.width, surface, region));
+        addTriangles(strip.triangles.begin(), strip.triangles.end(), surface, strips.back());
+      }
+    });
+    return strips;
+  }
+
+  // `strips`: of the view already; first in the result.
+  ClosedGaps close(std::vector<ClosedGap> strips)
+  {
+    result_.gaps = std::move(strips);
+    const std::vector<std::uint8_t>& open = prepared_.openSheets.isOfOne;
+    if (!options_.baffles.empty() || !open.empty())
     {
-      Surface all = prepared_.surface;
-      closeIn(all, OutsideRegion);
+      doubleSheets(prepared_.surface, options_.baffles, open,
+        options_.contactTolerance / prepared_.surface.lattice.step(), execution_);
     }
-    const std::set<std::int32_t> regions(
-      prepared_.surface.region.begin(), prepared_.surface.region.end());
-    for (const std::int32_t region : regions)
-    {
-      Surface own = ofRegion(prepared_.surface, region);
-      closeIn(own, region);
-    }
+    forEachRegion([&](Surface& surface, std::int32_t region) { closeIn(surface, region); });
     result_.gaps.insert(result_.gaps.end(), betweenParts_.begin(), betweenParts_.end());
     result_.panes = sortedUnique(std::move(result_.panes));
     std::sort(result_.replaced.begin(), result_.replaced.end());
@@ -242,6 +258,24 @@ public:
   }
 
 private:
+  // With a copy of its surface.
+  template <class Visitor>
+  void forEachRegion(Visitor&& visit) const
+  {
+    if (prepared_.surface.region.empty())
+    {
+      Surface all = prepared_.surface;
+      visit(all, OutsideRegion);
+    }
+    const std::set<std::int32_t> regions(
+      prepared_.surface.region.begin(), prepared_.surface.region.end());
+    for (const std::int32_t region : regions)
+    {
+      Surface own = ofRegion(prepared_.surface, region);
+      visit(own, region);
+    }
+  }
+
   void closeIn(Surface& surface, std::int32_t region)
   {
     const Surface given = surface;
@@ -258,7 +292,7 @@ private:
     for (const Hole& hole : repaired.holes)
     {
       const double width = hole.width * surface.lattice.step();
-      if (hole.width < smallestBoxAt(hole, surface) || width > options_.closeGaps)
+      if (hole.width < smallestBoxAt(hole.rim, surface) || width > options_.closeGaps)
       {
         continue;
       }
@@ -267,18 +301,35 @@ private:
         result_.panes.insert(result_.panes.end(), pane.begin(), pane.end());
         continue;
       }
-      ClosedGap gap;
-      gap.region = region;
-      gap.width = width;
-      for (const std::uint32_t vertex : hole.rim)
-      {
-        gap.rim.push_back(points_.at(surface.vertices[vertex]));
-      }
-      for (std::size_t t = hole.firstTriangle; t < hole.firstTriangle + hole.triangles; ++t)
-      {
-        gap.triangles.push_back(points_.at(surface.corners(t)));
-      }
+      ClosedGap gap = gapOf(hole.rim, hole.width, surface, region);
+      const auto first = surface.triangles.begin() + std::ptrdiff_t(hole.firstTriangle);
+      addTriangles(first, first + std::ptrdiff_t(hole.triangles), surface, gap);
       result_.gaps.push_back(std::move(gap));
+    }
+  }
+
+  // `width`: levels.
+  ClosedGap gapOf(const std::vector<std::uint32_t>& rim, double width, const Surface& surface,
+    std::int32_t region)
+  {
+    ClosedGap gap;
+    gap.region = region;
+    gap.width = width * surface.lattice.step();
+    for (const std::uint32_t vertex : rim)
+    {
+      gap.rim.push_back(points_.at(surface.vertices[vertex]));
+    }
+    return gap;
+  }
+
+  template <class Iterator>
+  void addTriangles(Iterator first, Iterator end, const Surface& surface, ClosedGap& gap)
+  {
+    for (; first != end; ++first)
+    {
+      const auto& [a, b, c] = *first;
+      gap.triangles.push_back(
+        points_.at(Corners{ surface.vertices[a], surface.vertices[b], surface.vertices[c] }));
     }
   }
 
@@ -319,13 +370,13 @@ private:
   }
 
   // Its shortest side, levels.
-  double smallestBoxAt(const Hole& hole, const Surface& surface) const
+  double smallestBoxAt(const std::vector<std::uint32_t>& rim, const Surface& surface) const
   {
     Vector centre{};
-    for (const std::uint32_t vertex : hole.rim)
+    for (const std::uint32_t vertex : rim)
     {
-      centre = plus(centre,
-        scaled(toVector(surface.vertices[vertex]), 1. / static_cast<double>(hole.rim.size())));
+      centre = plus(
+        centre, scaled(toVector(surface.vertices[vertex]), 1. / static_cast<double>(rim.size())));
     }
     return std::ldexp(narrowestSide(prepared_.planes, centre), -depthAtSurface(options_));
   }
@@ -339,12 +390,80 @@ private:
   ClosedGaps result_;
 };
 
+using TrianglesOfPoints = std::vector<std::array<std::uint32_t, 3>>;
+
+// Takes out what is of triangles from `count` on, those of strips; returns the pieces that replace them, by triangle.
+std::map<std::uint32_t, TrianglesOfPoints> takeOfStrips(std::size_t count, ClosedGaps& closed)
+{
+  const auto isGiven = [&](std::uint32_t triangle) { return triangle < count; };
+  const auto cut = [&](std::vector<std::uint32_t>& triangles) {
+    return std::partition_point(triangles.begin(), triangles.end(), isGiven);
+  };
+  closed.panes.erase(cut(closed.panes), closed.panes.end());
+  std::map<std::uint32_t, TrianglesOfPoints> pieces;
+  for (auto triangle = cut(closed.replaced); triangle != closed.replaced.end(); ++triangle)
+  {
+    pieces[*triangle];
+  }
+  closed.replaced.erase(cut(closed.replaced), closed.replaced.end());
+  std::vector<ClosedGaps::Piece> given;
+  for (const ClosedGaps::Piece& piece : closed.pieces)
+  {
+    if (isGiven(piece.given))
+    {
+      given.push_back(piece);
+    }
+    else
+    {
+      pieces[piece.given].push_back(piece.points);
+    }
+  }
+  closed.pieces = std::move(given);
+  return pieces;
+}
+
+// The triangles of strips, the first gaps, are those of the view from `count` on.
+void replaceInStrips(std::size_t count, ClosedGaps& closed)
+{
+  const std::map<std::uint32_t, TrianglesOfPoints> pieces = takeOfStrips(count, closed);
+  auto triangle = static_cast<std::uint32_t>(count);
+  for (auto gap = closed.gaps.begin(); gap != closed.gaps.end() && !pieces.empty(); ++gap)
+  {
+    TrianglesOfPoints kept;
+    for (const auto& points : gap->triangles)
+    {
+      if (const auto found = pieces.find(triangle++); found == pieces.end())
+      {
+        kept.push_back(points);
+      }
+      else
+      {
+        kept.insert(kept.end(), found->second.begin(), found->second.end());
+      }
+    }
+    gap->triangles = std::move(kept);
+  }
+}
+
 }
 
 ClosedGaps closedGaps(const SurfaceView& view, const Options& options, Execution& execution)
 {
   requireInRange(Options::GapWidths, options.closeGaps, "Close Gaps");
-  return options.closeGaps > 0 ? GapCloser(view, options, execution).close() : ClosedGaps();
+  if (options.closeGaps == 0)
+  {
+    return {};
+  }
+  GapCloser closer(view, options, execution);
+  std::vector<ClosedGap> strips = closer.strips();
+  if (strips.empty())
+  {
+    return closer.close({});
+  }
+  const ViewWithGaps whole(view, strips);
+  ClosedGaps closed = GapCloser(whole.view(), options, execution).close(std::move(strips));
+  replaceInStrips(view.triangleCount, closed);
+  return closed;
 }
 
 }

@@ -8,7 +8,7 @@
 // and the lining of a door: the smallest of these walls that ends there is a sheet, whose two sides are walls.
 // Gaps between closed parts, however narrow, are closed by strips from one to the other (Repair/PartGaps.h); triangles that these
 // cut are replaced by their pieces.
-// Limits: where two rims face each other, as of a lid and its frame, each is closed by itself.
+// Where two rims face each other, as of a lid and its frame, strips between them (Repair/RimStrips.h) come first.
 #pragma once
 
 #include "Mesher/Options.h"
@@ -33,7 +33,8 @@ struct ClosedGaps
     std::array<std::uint32_t, 3> points;
   };
 
-  std::vector<ClosedGap> gaps; // holes in order of their lowest points, then gaps between parts
+  std::vector<ClosedGap>
+    gaps; // strips, holes in order of their lowest points, then gaps between parts
   std::vector<std::uint32_t> panes;    // triangles of the view that are of such sheets, ascending
   std::vector<double> added;           // x, y, z
   std::vector<std::uint32_t> replaced; // triangles of the view, ascending, by:

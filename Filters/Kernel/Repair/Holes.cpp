@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/Holes.h"
 
-#include "Base/Sorting.h"
 #include "Lattice/Vector.h"
 #include "Surface/Places.h"
 
@@ -22,117 +21,6 @@ constexpr std::size_t MostRimEdges = 128;
 
 // A lid of a sheet has more than this part of the area of the triangles along its rim.
 constexpr double LeastLid = 0.7;
-
-// An open edge, as seen from one of its ends.
-struct RimEdge
-{
-  std::uint32_t from;
-  std::uint32_t to;
-  std::uint32_t triangle;
-  int along; // triangles that run this way minus those that run the other way
-
-  bool operator<(const RimEdge& other) const
-  {
-    return from != other.from ? from < other.from : to < other.to;
-  }
-};
-
-// Edges that an odd number of triangles use, listed from both ends.
-std::vector<RimEdge> findRims(const SurfaceEdges& edges)
-{
-  std::vector<RimEdge> rims;
-  edges.forEach([&](std::uint32_t lower, const EdgeUse* begin, const EdgeUse* end) {
-    if ((end - begin) % 2 == 1)
-    {
-      const auto down = std::count_if(begin, end, [](const EdgeUse& use) { return use.down(); });
-      const auto up = static_cast<int>((end - begin) - 2 * down);
-      rims.push_back({ lower, begin->upper, begin->triangle(), up });
-      rims.push_back({ begin->upper, lower, begin->triangle(), -up });
-    }
-  });
-  std::sort(rims.begin(), rims.end());
-  return rims;
-}
-
-// Separates rims into loops that visit no vertex twice.
-class RimTracer
-{
-public:
-  RimTracer(const std::vector<RimEdge>& rims, std::size_t vertices)
-    : rims_(rims)
-    , used_(rims.size())
-    , next_(vertices + 1)
-    , place_(vertices, NotOnWalk)
-  {
-    for (const RimEdge& rim : rims)
-    {
-      ++next_[rim.from];
-    }
-    scan(next_);
-    end_.assign(next_.begin() + 1, next_.end());
-  }
-
-  // Calls visit(begin, end) with the edges of each loop, in order.
-  template <class Visitor>
-  void forEachLoop(Visitor&& visit)
-  {
-    for (const RimEdge& first : rims_)
-    {
-      std::uint32_t at = first.from;
-      place_[at] = 0;
-      while (const RimEdge* edge = take(at))
-      {
-        walk_.push_back(*edge);
-        at = edge->to;
-        if (place_[at] != NotOnWalk)
-        {
-          visit(walk_.data() + place_[at], walk_.data() + walk_.size());
-          cutBack(place_[at]);
-        }
-        place_[at] = walk_.size();
-      }
-      place_[first.from] = NotOnWalk; // every vertex has an even number of edges: the walk is over
-    }
-  }
-
-private:
-  static constexpr std::size_t NotOnWalk = ~std::size_t(0);
-
-  // An unused edge from a vertex, or null.
-  const RimEdge* take(std::uint32_t vertex)
-  {
-    std::size_t& next = next_[vertex];
-    while (next != end_[vertex] && used_[next])
-    {
-      ++next;
-    }
-    if (next == end_[vertex])
-    {
-      return nullptr;
-    }
-    const RimEdge& edge = rims_[next];
-    used_[next] = true;
-    const auto back =
-      std::lower_bound(rims_.begin(), rims_.end(), RimEdge{ edge.to, vertex, 0, 0 });
-    used_[static_cast<std::size_t>(back - rims_.begin())] = true;
-    return &edge;
-  }
-
-  void cutBack(std::size_t size)
-  {
-    for (; walk_.size() > size; walk_.pop_back())
-    {
-      place_[walk_.back().to] = NotOnWalk;
-    }
-  }
-
-  const std::vector<RimEdge>& rims_;
-  std::vector<bool> used_;
-  std::vector<std::size_t> next_; // edge from each vertex
-  std::vector<std::size_t> end_;
-  std::vector<std::size_t> place_; // of a vertex on the walk
-  std::vector<RimEdge> walk_;
-};
 
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -202,7 +90,7 @@ private:
         continue; // one of the vertices is no longer on the rim
       }
       triangles.push_back({ rim[cut.from], rim[cut.middle], rim[cut.to] });
-      area += areaOf(triangles.back());
+      area += areaOf(surface_, triangles.back());
       next[cut.from] = cut.to;
       before[cut.to] = cut.from;
       next[cut.middle] = cut.middle;
@@ -235,8 +123,8 @@ private:
         double least = HUGE_VAL;
         for (std::size_t j = i + 1; j < k; ++j)
         {
-          const double area =
-            least_[i * n + j] + least_[j * n + k] + areaOf({ rim[i], rim[j], rim[k] });
+          const double area = least_[i * n + j] + least_[j * n + k] +
+            areaOf(surface_, Triangle{ rim[i], rim[j], rim[k] });
           if (area < least)
           {
             least = area;
@@ -262,12 +150,6 @@ private:
     return least_[n - 1];
   }
 
-  double areaOf(const Triangle& t) const
-  {
-    const Point& p = surface_.vertices[t[0]];
-    return norm(cross(minus(surface_.vertices[t[1]], p), minus(surface_.vertices[t[2]], p))) / 2;
-  }
-
   const Surface& surface_;
   std::vector<double> least_; // area of the best filling of each piece of the rim
   std::vector<std::size_t> best_;
@@ -279,43 +161,22 @@ struct RimLoop
   std::vector<RimEdge> edges; // from the lowest vertex on
   double length = 0;          // levels
   Vector centre{};
-
-  bool operator<(const RimLoop& other) const
-  {
-    return edges[0].from != other.edges[0].from ? edges[0].from < other.edges[0].from
-                                                : edges[0].to < other.edges[0].to;
-  }
 };
 
-RimLoop loopOf(const RimEdge* begin, const RimEdge* end, const Surface& surface)
+RimLoop loopOf(std::vector<RimEdge> edges, const Surface& surface)
 {
   RimLoop loop;
-  loop.edges.assign(begin, end);
-  std::rotate(loop.edges.begin(),
-    std::min_element(loop.edges.begin(), loop.edges.end(),
-      [](const RimEdge& a, const RimEdge& b) { return a.from < b.from; }),
-    loop.edges.end());
+  loop.edges = std::move(edges);
+  loop.length = lengthOf(surface, loop.edges);
   for (const RimEdge& edge : loop.edges)
   {
     const Point& p = surface.vertices[edge.from];
-    loop.length += norm(minus(surface.vertices[edge.to], p));
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       loop.centre[axis] += p[axis] / static_cast<double>(loop.edges.size());
     }
   }
   return loop;
-}
-
-// Whether most triangles around a hole run along its rim; those that fill it then run the other way.
-bool runsAlong(const RimLoop& loop)
-{
-  int along = 0;
-  for (const RimEdge& edge : loop.edges)
-  {
-    along += edge.along;
-  }
-  return along > 0;
 }
 
 std::int32_t boundaryOf(const RimLoop& loop, const Surface& surface)
@@ -347,12 +208,7 @@ void fill(const Surface& surface, const Meshlines& planes, Filling& filling)
   {
     hole.rim.push_back(edge.from);
   }
-  std::vector<std::uint32_t> rim = hole.rim;
-  if (runsAlong(filling.loop))
-  {
-    std::reverse(rim.begin(), rim.end());
-  }
-  hole.width = 4 * HoleFiller(surface).fill(rim, filling.triangles) / filling.loop.length;
+  hole.width = 4 * fillRim(surface, filling.loop.edges, filling.triangles) / filling.loop.length;
   hole.leak = hole.width >= narrowestSide(planes, filling.loop.centre);
   hole.triangles = filling.triangles.size();
 }
@@ -360,20 +216,10 @@ void fill(const Surface& surface, const Meshlines& planes, Filling& filling)
 std::vector<Filling> fillingsOf(
   const Surface& surface, const SurfaceEdges& edges, const Meshlines& planes, Execution& execution)
 {
-  const std::vector<RimEdge> rims = findRims(edges);
-  std::vector<RimLoop> loops;
-  if (!rims.empty())
-  {
-    RimTracer(rims, surface.vertices.size())
-      .forEachLoop([&](const RimEdge* begin, const RimEdge* end) {
-        loops.push_back(loopOf(begin, end, surface));
-      });
-  }
-  std::sort(loops.begin(), loops.end());
   std::vector<Filling> fillings;
-  for (RimLoop& loop : loops)
+  for (std::vector<RimEdge>& rim : rimLoopsOf(surface, edges))
   {
-    fillings.push_back({ std::move(loop) });
+    fillings.push_back({ loopOf(std::move(rim), surface) });
   }
   execution.forEach(
     fillings.size(), 1, [&](std::size_t h, std::size_t) { fill(surface, planes, fillings[h]); });
@@ -414,6 +260,23 @@ bool isAroundSheet(
   return filling.area() > LeastLid * beside;
 }
 
+}
+
+double fillRim(
+  const Surface& surface, const std::vector<RimEdge>& loop, std::vector<Triangle>& triangles)
+{
+  std::vector<std::uint32_t> rim;
+  int along = 0;
+  for (const RimEdge& edge : loop)
+  {
+    rim.push_back(edge.from);
+    along += edge.along;
+  }
+  if (along > 0)
+  {
+    std::reverse(rim.begin(), rim.end());
+  }
+  return HoleFiller(surface).fill(rim, triangles);
 }
 
 std::vector<Hole> closeHoles(

@@ -13,7 +13,7 @@
 #pragma once
 
 #include "Lattice/Meshlines.h"
-#include "Surface/SurfaceEdges.h"
+#include "Repair/RimLoops.h"
 
 namespace cartesian
 {
@@ -31,6 +31,10 @@ struct Hole
 // rim. They get the boundary of most of those; triangles that close a leak get NoBoundary.
 std::vector<Hole> closeHoles(
   Surface& surface, const SurfaceEdges& edges, const Meshlines& planes, Execution& execution);
+
+// Appends the triangles with the least area that close a rim, oriented as above. Returns their area, levels squared.
+double fillRim(const Surface& surface, const std::vector<RimEdge>& loop,
+  std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 // Only those narrower than `width`, in levels, and not those around sheets, which have nearly their area. `isOfSheet`: of the
 // first vertices.

@@ -20,11 +20,19 @@ inline Vector middleOf(const Surface& surface, std::size_t triangle)
   return sum;
 }
 
-// Of a triangle, in levels squared.
+// Of a triangle between vertices, in levels squared.
+inline double areaOf(const Surface& surface, const std::array<std::uint32_t, 3>& triangle)
+{
+  const Point& at = surface.vertices[triangle[0]];
+  return norm(cross(
+           minus(surface.vertices[triangle[1]], at), minus(surface.vertices[triangle[2]], at))) /
+    2;
+}
+
+// Of one of its triangles.
 inline double areaOf(const Surface& surface, std::size_t triangle)
 {
-  const Corners c = surface.corners(triangle);
-  return norm(cross(minus(c[1], c[0]), minus(c[2], c[0]))) / 2;
+  return areaOf(surface, surface.triangles[triangle]);
 }
 
 // A place in levels, as the user knows it: "(x, y, z)".

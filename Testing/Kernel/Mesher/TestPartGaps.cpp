@@ -235,3 +235,38 @@ TEST(PartGaps, TheMeshFillsThem)
     EXPECT_TRUE(fills(mesh, whole)) << seed;
   }
 }
+
+// Two open halves of a box beside another box: strips between parts cut those between rims, too.
+TEST(PartGaps, BesideStripsBetweenRims)
+{
+  Options options;
+  options.grid = cellsOf(0.06);
+  options.closeGaps = 0.2;
+  Execution execution;
+  for (const double height : { 1.0, 0.8, 0.4 })
+  {
+    Soup parts;
+    for (const bool isUpper : { false, true })
+    {
+      Soup half = box({ 0, 0, isUpper ? 0.55 : 0 }, { 1, 1, isUpper ? 1 : 0.45 });
+      const std::size_t rim = isUpper ? 4 : 5; // its boundary, two triangles
+      half.triangles.erase(half.triangles.begin() + std::ptrdiff_t(2 * rim),
+        half.triangles.begin() + std::ptrdiff_t(2 * rim + 2));
+      half.boundary.clear();
+      parts.add(half);
+    }
+    Soup other = box({ 1.07, 0, 0 }, { 2.07, height, height });
+    other.boundary.clear();
+    parts.add(other);
+    for (const Soup& turned : { parts, parts.turned(2, 45), parts.turned() })
+    {
+      const ClosedGaps found = closedGaps(turned.view(), options, execution);
+      ASSERT_EQ(found.gaps.size(), 2U);
+      EXPECT_NEAR(found.gaps[0].width, 0.1, 1e-6);
+      EXPECT_NEAR(found.gaps[1].width, 0.07, 1e-6);
+      const PreparedSurface prepared = prepare(with(turned, found), options.grid);
+      EXPECT_TRUE(prepared.repair.check.closed());
+      EXPECT_NEAR(volumeOf(prepared.surface), 1 + 1.07 * height * height, 1e-6);
+    }
+  }
+}
