@@ -67,7 +67,11 @@ public:
     side_ = facesOfSide(faces_.cells, faces_.points, spec.across);
     mergeSkew(
       faces_.points, [&](std::uint32_t a, std::uint32_t b) { return regionOf(a) == regionOf(b); },
-      [&](std::size_t face) { return face < given_.size() && given_[face] == Inner; }, side_);
+      [&](std::size_t face) -> long long {
+        const vtkIdType boundary = face < given_.size() ? given_[face] : vtkIdType(NoBoundary);
+        return boundary == Inner ? InnerEdge : boundary;
+      },
+      side_);
     flat_ = sweep(side_, faces_.points, spec);
     names_ = readBoundaryTexts(grid, "BoundaryNames");
     types_ = readBoundaryTexts(grid, "BoundaryTypes");

@@ -81,21 +81,21 @@ private:
       const auto at = faceAt.find({ edge[1], edge[0] });
       return at != faceAt.end() ? at->second : cells_.faceCount();
     };
-    std::vector<SideEdge> all;
+    std::vector<BorderEdge> all;
     for (const std::size_t f : own_)
     {
       forEachEdge(f, [&](const DirectedEdge& edge) {
         all.push_back({ edge[0], edge[1], beside(edge) });
       });
     }
-    if (const std::vector<SideEdge> border = borderOf(all); !border.empty())
+    if (const std::vector<BorderEdge> border = borderOf(all); !border.empty())
     {
       addPolygon(border, cell, result_);
       return;
     }
     for (const std::size_t f : own_)
     {
-      std::vector<SideEdge> one;
+      std::vector<BorderEdge> one;
       forEachEdge(f, [&](const DirectedEdge& edge) {
         one.push_back({ edge[0], edge[1], beside(edge) });
       });
@@ -111,24 +111,24 @@ private:
 
 }
 
-std::vector<SideEdge> borderOf(const std::vector<SideEdge>& edges)
+std::vector<BorderEdge> borderOf(const std::vector<BorderEdge>& edges)
 {
   std::map<DirectedEdge, std::size_t> all;
-  for (const SideEdge& edge : edges)
+  for (const BorderEdge& edge : edges)
   {
     all.emplace(DirectedEdge{ edge.from, edge.to }, edge.beside);
   }
-  std::map<std::uint32_t, SideEdge> from;
+  std::map<std::uint32_t, BorderEdge> from;
   std::size_t count = 0;
   for (const auto& [edge, beside] : all)
   {
     if (all.count({ edge[1], edge[0] }) == 0)
     {
-      from.emplace(edge[0], SideEdge{ edge[0], edge[1], beside });
+      from.emplace(edge[0], BorderEdge{ edge[0], edge[1], beside });
       ++count;
     }
   }
-  std::vector<SideEdge> border;
+  std::vector<BorderEdge> border;
   for (auto at = from.begin(); at != from.end(); at = from.find(border.back().to))
   {
     border.push_back(at->second);
@@ -136,12 +136,12 @@ std::vector<SideEdge> borderOf(const std::vector<SideEdge>& edges)
   }
   const bool isLoop =
     border.size() == count && count > 0 && border.back().to == border.front().from;
-  return isLoop ? border : std::vector<SideEdge>();
+  return isLoop ? border : std::vector<BorderEdge>();
 }
 
-void addPolygon(const std::vector<SideEdge>& border, std::uint32_t cell, SideFaces& side)
+void addPolygon(const std::vector<BorderEdge>& border, std::uint32_t cell, SideFaces& side)
 {
-  for (const SideEdge& edge : border)
+  for (const BorderEdge& edge : border)
   {
     side.corners.push_back(edge.from);
     side.beside.push_back(edge.beside);

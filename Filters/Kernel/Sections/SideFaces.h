@@ -7,7 +7,7 @@
 namespace cartesian
 {
 
-struct SideEdge
+struct BorderEdge
 {
   std::uint32_t from;
   std::uint32_t to;
@@ -27,7 +27,7 @@ struct SideFaces
   {
     return firstCorner[polygon + 1] - firstCorner[polygon];
   }
-  SideEdge edge(std::size_t polygon, std::size_t i) const
+  BorderEdge edge(std::size_t polygon, std::size_t i) const
   {
     const std::size_t first = firstCorner[polygon];
     return { corners[first + i], corners[first + (i + 1) % size(polygon)], beside[first + i] };
@@ -36,9 +36,9 @@ struct SideFaces
 
 // What is left of edges of polygons where those that are there in both directions are left out, in turn; empty if that is not one
 // loop.
-std::vector<SideEdge> borderOf(const std::vector<SideEdge>& edges);
+std::vector<BorderEdge> borderOf(const std::vector<BorderEdge>& edges);
 
-void addPolygon(const std::vector<SideEdge>& border, std::uint32_t cell, SideFaces& side);
+void addPolygon(const std::vector<BorderEdge>& border, std::uint32_t cell, SideFaces& side);
 
 // Those whose corners all have the lowest coordinate along an axis that any point has, exactly; polygons that one cell has
 // beside each other are united, unless that leaves a hole. In order of cells. `cells`: with corners counter-clockwise

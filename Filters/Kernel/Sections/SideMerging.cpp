@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace cartesian
 {
@@ -37,18 +38,20 @@ class SideMerger
 public:
   SideMerger(const std::vector<double>& points,
     const std::function<bool(std::uint32_t, std::uint32_t)>& areOne,
-    const std::function<bool(std::size_t)>& isInner, SideFaces& side)
+    const std::function<long long(std::size_t)>& boundaryOf, SideFaces& side)
     : points_(points)
     , areOne_(areOne)
-    , isInner_(isInner)
+    , boundaryOf_(boundaryOf)
     , side_(side)
   {
   }
 
   void merge()
   {
+    dropStraight();
     for (int round = 0; round < MostRounds && mergeOnce(); ++round)
     {
+      dropStraight();
     }
   }
 
@@ -57,6 +60,50 @@ private:
   {
     const double* p = points_.data() + 3 * std::size_t(point);
     return { p[0], p[1], p[2] };
+  }
+
+  // Points of two edges that are one.
+  void dropStraight()
+  {
+    std::map<std::uint32_t, std::set<std::uint32_t>> next; // along edges
+    std::map<std::uint32_t, std::set<long long>> boundaries;
+    for (std::size_t p = 0; p < side_.count(); ++p)
+    {
+      for (std::size_t i = 0; i < side_.size(p); ++i)
+      {
+        const BorderEdge edge = side_.edge(p, i);
+        for (const auto& [end, other] :
+          { std::pair(edge.from, edge.to), std::pair(edge.to, edge.from) })
+        {
+          next[end].insert(other);
+          boundaries[end].insert(boundaryOf_(edge.beside));
+        }
+      }
+    }
+    const auto isStraight = [&](std::uint32_t point) {
+      const std::set<std::uint32_t>& ends = next.at(point);
+      if (ends.size() != 2 || boundaries.at(point).size() != 1)
+      {
+        return false;
+      }
+      const Vector a = minus(at(*ends.begin()), at(point));
+      const Vector b = minus(at(*ends.rbegin()), at(point));
+      return dot(a, b) < 0 && norm(cross(a, b)) <= SideMerging::Straight * norm(a) * norm(b);
+    };
+    SideFaces left;
+    for (std::size_t p = 0; p < side_.count(); ++p)
+    {
+      std::vector<BorderEdge> border;
+      for (const BorderEdge& edge : edgesOf(p))
+      {
+        if (!isStraight(edge.from))
+        {
+          border.push_back(edge);
+        }
+      }
+      addPolygon(border, side_.cellOf[p], left);
+    }
+    side_ = std::move(left);
   }
 
   // Whether any were united.
@@ -95,7 +142,7 @@ private:
     Vector moment{};
     for (std::size_t i = 0; i < side_.size(polygon); ++i)
     {
-      const SideEdge edge = side_.edge(polygon, i);
+      const BorderEdge edge = side_.edge(polygon, i);
       const Vector a = minus(at(edge.from), base);
       const Vector b = minus(at(edge.to), base);
       const Vector part = cross(a, b);
@@ -115,8 +162,8 @@ private:
     {
       for (std::size_t i = 0; i < side_.size(p); ++i)
       {
-        const SideEdge edge = side_.edge(p, i);
-        if (!isInner_(edge.beside))
+        const BorderEdge edge = side_.edge(p, i);
+        if (boundaryOf_(edge.beside) != InnerEdge)
         {
           continue;
         }
@@ -193,13 +240,13 @@ private:
     SideFaces united;
     std::vector<std::uint8_t> isGone(side_.count());
     bool any = false;
-    std::map<std::size_t, std::vector<SideEdge>> borders;
+    std::map<std::size_t, std::vector<BorderEdge>> borders;
     for (const auto& [large, small] : into)
     {
-      std::vector<SideEdge> edges = edgesOf(large);
-      const std::vector<SideEdge> others = edgesOf(small);
+      std::vector<BorderEdge> edges = edgesOf(large);
+      const std::vector<BorderEdge> others = edgesOf(small);
       edges.insert(edges.end(), others.begin(), others.end());
-      if (std::vector<SideEdge> border = borderOf(edges); !border.empty())
+      if (std::vector<BorderEdge> border = borderOf(edges); !border.empty())
       {
         borders.emplace(large, std::move(border));
         isGone[small] = 1;
@@ -218,9 +265,9 @@ private:
     return any;
   }
 
-  std::vector<SideEdge> edgesOf(std::size_t polygon) const
+  std::vector<BorderEdge> edgesOf(std::size_t polygon) const
   {
-    std::vector<SideEdge> edges;
+    std::vector<BorderEdge> edges;
     for (std::size_t i = 0; i < side_.size(polygon); ++i)
     {
       edges.push_back(side_.edge(polygon, i));
@@ -230,7 +277,7 @@ private:
 
   const std::vector<double>& points_;
   const std::function<bool(std::uint32_t, std::uint32_t)>& areOne_;
-  const std::function<bool(std::size_t)>& isInner_;
+  const std::function<long long(std::size_t)>& boundaryOf_;
   SideFaces& side_;
   std::vector<PolygonShape> shapes_;
   std::vector<Seam> seams_;
@@ -241,9 +288,9 @@ private:
 
 void mergeSkew(const std::vector<double>& points,
   const std::function<bool(std::uint32_t, std::uint32_t)>& areOne,
-  const std::function<bool(std::size_t)>& isInner, SideFaces& side)
+  const std::function<long long(std::size_t)>& boundaryOf, SideFaces& side)
 {
-  SideMerger(points, areOne, isInner, side).merge();
+  SideMerger(points, areOne, boundaryOf, side).merge();
 }
 
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Unites polygons of a side (SideFaces.h) that solvers would refuse as cells: those in which a cell's neighbour was across the
-// side, so that a sliver is left.
+// Unites slivers of a side (SideFaces.h) with polygons beside them: faces of cells that reach further behind the side.
 #pragma once
 
 #include "Sections/SideFaces.h"
 
 #include <functional>
+#include <limits>
 
 namespace cartesian
 {
@@ -15,12 +15,19 @@ struct SideMerging
   // As checkMesh has them.
   static constexpr double MostSkewness = 4;
   static constexpr double MostNonOrthogonality = 70; // degrees
+
+  // The sine of the angle between two edges that are one.
+  static constexpr double Straight = 1e-6;
 };
 
-// Of two polygons whose edge is skew or not orthogonal, the smaller is united with its neighbour along the longest edge, in rounds,
-// as long as there are any. `areOne`: whether cells may be united. `isInner`: whether a face is between cells.
+// In a function of the boundary of a face: it is between cells.
+constexpr long long InnerEdge = std::numeric_limits<long long>::min();
+
+// Points in the middle of a straight edge between the same two sides are left out. Of two polygons whose edge is skew or not
+// orthogonal, the smaller is united with its neighbour along the longest edge, in rounds, as long as there are any.
+// `areOne`: whether cells may be united. `boundaryOf`: of a face (BorderEdge::beside).
 void mergeSkew(const std::vector<double>& points,
   const std::function<bool(std::uint32_t, std::uint32_t)>& areOne,
-  const std::function<bool(std::size_t)>& isInner, SideFaces& side);
+  const std::function<long long(std::size_t)>& boundaryOf, SideFaces& side);
 
 }
