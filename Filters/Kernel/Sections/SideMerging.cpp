@@ -19,11 +19,13 @@ constexpr int MostRounds = 16;
 
 // OpenFOAM's: the size of a face, for its skewness, is at least this part of the way between its cells.
 constexpr double LeastSize = 0.2;
+constexpr double LeastSizeOnBoundary = 0.4; // and its wall
 
 struct PolygonShape
 {
   double area = 0;
   Vector centre{};
+  bool isForward = true; // counter-clockwise around the axis
 };
 
 // An edge between two polygons.
@@ -82,13 +84,8 @@ private:
     }
     const auto isStraight = [&](std::uint32_t point) {
       const std::set<std::uint32_t>& ends = next.at(point);
-      if (ends.size() != 2 || boundaries.at(point).size() != 1)
-      {
-        return false;
-      }
-      const Vector a = minus(at(*ends.begin()), at(point));
-      const Vector b = minus(at(*ends.rbegin()), at(point));
-      return dot(a, b) < 0 && norm(cross(a, b)) <= SideMerging::Straight * norm(a) * norm(b);
+      return ends.size() == 2 && boundaries.at(point).size() == 1 &&
+        areOneEdge(minus(at(*ends.begin()), at(point)), minus(at(*ends.rbegin()), at(point)));
     };
     SideFaces left;
     for (std::size_t p = 0; p < side_.count(); ++p)
@@ -106,43 +103,88 @@ private:
     side_ = std::move(left);
   }
 
+  // From the point between them.
+  static bool areOneEdge(const Vector& a, const Vector& b)
+  {
+    const double shorter = std::min(norm(a), norm(b));
+    const double longer = std::max(norm(a), norm(b));
+    const double bend =
+      shorter < SideMerging::Short * longer ? SideMerging::Bent : SideMerging::Straight;
+    return dot(a, b) < 0 && norm(cross(a, b)) <= bend * shorter * longer;
+  }
+
   // Whether any were united.
   bool mergeOnce()
   {
     shapes_.clear();
     for (std::size_t p = 0; p < side_.count(); ++p)
     {
-      shapes_.push_back(shapeOf(p));
+      shapes_.push_back(shapeOf(edgesOf(p)));
     }
     findSeams();
-    std::map<std::size_t, std::size_t> into; // of polygons
+    std::map<std::size_t, std::vector<BorderEdge>> united; // by one of the two
     std::vector<std::uint8_t> isTaken(side_.count());
-    for (const Seam& seam : seams_)
-    {
-      if (!isRefused(seam))
+    std::vector<std::uint8_t> isGone(side_.count());
+    const auto uniteOne = [&](std::size_t polygon) {
+      for (const std::size_t other : neighboursOf(polygon))
       {
-        continue;
+        std::vector<BorderEdge> border =
+          isTaken[other] == 0 ? unitedBorder(polygon, other) : std::vector<BorderEdge>();
+        if (!border.empty() && seesItsEdges(border))
+        {
+          isTaken[polygon] = isTaken[other] = isGone[polygon] = 1;
+          united.emplace(other, std::move(border));
+          return true;
+        }
       }
-      const auto [p, q] = seam.polygons;
-      const std::size_t small = shapes_[p].area <= shapes_[q].area ? p : q;
-      const std::size_t large = neighbourOf(small);
-      if (isTaken[small] == 0 && isTaken[large] == 0 && large != small)
+      return false;
+    };
+    for (const auto& [first, second] : refused())
+    {
+      if (isTaken[first] == 0 && isTaken[second] == 0 && !uniteOne(first))
       {
-        isTaken[small] = isTaken[large] = 1;
-        into.emplace(large, small);
+        uniteOne(second);
       }
     }
-    return unite(into);
+    SideFaces left;
+    for (std::size_t p = 0; p < side_.count(); ++p)
+    {
+      if (isGone[p] == 0)
+      {
+        const auto border = united.find(p);
+        addPolygon(border != united.end() ? border->second : edgesOf(p), side_.cellOf[p], left);
+      }
+    }
+    side_ = std::move(left);
+    return !united.empty();
   }
 
-  PolygonShape shapeOf(std::size_t polygon) const
+  std::vector<BorderEdge> unitedBorder(std::size_t small, std::size_t large) const
   {
-    const Vector base = at(side_.edge(polygon, 0).from);
+    std::vector<BorderEdge> edges = edgesOf(large);
+    const std::vector<BorderEdge> others = edgesOf(small);
+    edges.insert(edges.end(), others.begin(), others.end());
+    return borderOf(edges);
+  }
+
+  // Whether its centre is on the inner side of each.
+  bool seesItsEdges(const std::vector<BorderEdge>& border) const
+  {
+    const PolygonShape shape = shapeOf(border);
+    return std::all_of(border.begin(), border.end(), [&](const BorderEdge& edge) {
+      const Vector part =
+        cross(minus(at(edge.from), shape.centre), minus(at(edge.to), shape.centre));
+      return (part[0] + part[1] + part[2] > 0) == shape.isForward;
+    });
+  }
+
+  PolygonShape shapeOf(const std::vector<BorderEdge>& border) const
+  {
+    const Vector base = at(border.front().from);
     Vector sum{};
     Vector moment{};
-    for (std::size_t i = 0; i < side_.size(polygon); ++i)
+    for (const BorderEdge& edge : border)
     {
-      const BorderEdge edge = side_.edge(polygon, i);
       const Vector a = minus(at(edge.from), base);
       const Vector b = minus(at(edge.to), base);
       const Vector part = cross(a, b);
@@ -151,7 +193,8 @@ private:
       moment = plus(moment, scaled(plus(a, b), signedArea / 3));
     }
     const double twice = sum[0] + sum[1] + sum[2];
-    return { std::abs(twice) / 2, twice == 0 ? base : plus(base, scaled(moment, 1 / twice)) };
+    return { std::abs(twice) / 2, twice == 0 ? base : plus(base, scaled(moment, 1 / twice)),
+      twice > 0 };
   }
 
   void findSeams()
@@ -185,6 +228,43 @@ private:
     }
   }
 
+  // The polygons of each edge that solvers would refuse, the smaller first; on a boundary there is one.
+  std::vector<std::array<std::size_t, 2>> refused() const
+  {
+    std::vector<std::array<std::size_t, 2>> all;
+    for (const Seam& seam : seams_)
+    {
+      if (isRefused(seam))
+      {
+        const auto [p, q] = seam.polygons;
+        const bool isFirstSmaller = shapes_[p].area <= shapes_[q].area;
+        all.push_back({ isFirstSmaller ? p : q, isFirstSmaller ? q : p });
+      }
+    }
+    for (std::size_t p = 0; p < side_.count(); ++p)
+    {
+      for (std::size_t i = 0; i < side_.size(p); ++i)
+      {
+        const BorderEdge edge = side_.edge(p, i);
+        if (boundaryOf_(edge.beside) != InnerEdge && isSkewOnBoundary(edge, shapes_[p].centre))
+        {
+          all.push_back({ p, p });
+        }
+      }
+    }
+    return all;
+  }
+
+  bool isSkewOnBoundary(const BorderEdge& edge, const Vector& centre) const
+  {
+    const Vector along = minus(at(edge.to), at(edge.from));
+    const double length = norm(along);
+    const Vector way = minus(scaled(plus(at(edge.from), at(edge.to)), 0.5), centre);
+    const double aside = length == 0 ? 0 : std::abs(dot(way, along)) / length;
+    const double through = std::sqrt(std::max(0., dot(way, way) - aside * aside));
+    return aside > SideMerging::MostSkewness * std::max(LeastSizeOnBoundary * through, length / 2);
+  }
+
   bool isRefused(const Seam& seam) const
   {
     const Vector a = at(seam.ends[0]);
@@ -212,8 +292,8 @@ private:
     return skew > SideMerging::MostSkewness * std::max(LeastSize * norm(way), length / 2);
   }
 
-  // Along whose edges the longest part of its border is.
-  std::size_t neighbourOf(std::size_t polygon) const
+  // Those along whose edges the longest part of its border is first.
+  std::vector<std::size_t> neighboursOf(std::size_t polygon) const
   {
     std::map<std::size_t, double> shared;
     for (const std::size_t s : seamsOf_[polygon])
@@ -225,44 +305,14 @@ private:
         shared[other] += norm(minus(at(seam.ends[0]), at(seam.ends[1])));
       }
     }
-    std::size_t best = polygon;
-    double most = 0;
+    std::vector<std::size_t> all;
     for (const auto& [other, length] : shared)
     {
-      best = length > most ? other : best;
-      most = std::max(most, length);
+      all.push_back(other);
     }
-    return best;
-  }
-
-  bool unite(const std::map<std::size_t, std::size_t>& into)
-  {
-    SideFaces united;
-    std::vector<std::uint8_t> isGone(side_.count());
-    bool any = false;
-    std::map<std::size_t, std::vector<BorderEdge>> borders;
-    for (const auto& [large, small] : into)
-    {
-      std::vector<BorderEdge> edges = edgesOf(large);
-      const std::vector<BorderEdge> others = edgesOf(small);
-      edges.insert(edges.end(), others.begin(), others.end());
-      if (std::vector<BorderEdge> border = borderOf(edges); !border.empty())
-      {
-        borders.emplace(large, std::move(border));
-        isGone[small] = 1;
-        any = true;
-      }
-    }
-    for (std::size_t p = 0; p < side_.count(); ++p)
-    {
-      if (isGone[p] == 0)
-      {
-        const auto border = borders.find(p);
-        addPolygon(border != borders.end() ? border->second : edgesOf(p), side_.cellOf[p], united);
-      }
-    }
-    side_ = std::move(united);
-    return any;
+    std::stable_sort(all.begin(), all.end(),
+      [&](std::size_t a, std::size_t b) { return shared.at(a) > shared.at(b); });
+    return all;
   }
 
   std::vector<BorderEdge> edgesOf(std::size_t polygon) const

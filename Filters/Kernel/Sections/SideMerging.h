@@ -16,15 +16,19 @@ struct SideMerging
   static constexpr double MostSkewness = 4;
   static constexpr double MostNonOrthogonality = 70; // degrees
 
-  // The sine of the angle between two edges that are one.
+  // The sine of the angle between two edges that are one; and of others, if one is so much shorter.
   static constexpr double Straight = 1e-6;
+  static constexpr double Bent = 0.35;
+  static constexpr double Short = 0.1;
 };
 
 // In a function of the boundary of a face: it is between cells.
 constexpr long long InnerEdge = std::numeric_limits<long long>::min();
 
-// Points in the middle of a straight edge between the same two sides are left out. Of two polygons whose edge is skew or not
-// orthogonal, the smaller is united with its neighbour along the longest edge, in rounds, as long as there are any.
+// Points in the middle of an edge between the same two sides are left out if it is straight there, or nearly so beside a short
+// part: so of a round wall what is between a short chord and a longer one is lost. Of two polygons whose edge is skew or not orthogonal, the
+// smaller is united with its neighbour along the longest edge, and so is one with a skew edge on a boundary; in rounds, as long
+// as there are any.
 // `areOne`: whether cells may be united. `boundaryOf`: of a face (BorderEdge::beside).
 void mergeSkew(const std::vector<double>& points,
   const std::function<bool(std::uint32_t, std::uint32_t)>& areOne,
