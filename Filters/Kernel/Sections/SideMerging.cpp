@@ -228,7 +228,7 @@ private:
     }
   }
 
-  // The polygons of each edge that solvers would refuse, the smaller first; on a boundary there is one.
+  // The polygons of each edge that is skew or not orthogonal: the smaller, and the other. On a boundary there is one.
   std::vector<std::array<std::size_t, 2>> refused() const
   {
     std::vector<std::array<std::size_t, 2>> all;
