@@ -32,9 +32,14 @@ namespace
 // Of faces between two cells.
 constexpr vtkIdType Inner = UnknownBoundary - 1;
 
-// The boundary of each face of all cells.
-std::vector<vtkIdType> boundariesOf(
-  vtkUnstructuredGrid* grid, const GridFaces& faces, Execution& execution)
+// Of each face of all cells.
+struct FaceNeighbours
+{
+  std::vector<vtkIdType> boundary;   // or Inner
+  std::vector<std::size_t> opposite; // the same face of another cell, or NoFace
+};
+
+FaceNeighbours neighboursOf(vtkUnstructuredGrid* grid, const GridFaces& faces, Execution& execution)
 {
   FaceList list = listFaces(faces.cells, faces.points.size() / 3, Clashes::Refused, execution);
   std::vector<vtkIdType> outer;
@@ -45,13 +50,21 @@ std::vector<vtkIdType> boundariesOf(
       "Cells were cut or merged after meshing, so the mesh has lost its boundaries: connect the "
       "output of Cartesian Mesher itself.");
   }
-  std::vector<vtkIdType> boundary(faces.cells.faceCount(), Inner);
+  const std::size_t inner = list.neighbour.size();
+  FaceNeighbours result{ std::vector<vtkIdType>(faces.cells.faceCount(), Inner),
+    std::vector<std::size_t>(faces.cells.faceCount(), NoFace) };
+  for (std::size_t i = 0; i < inner; ++i)
+  {
+    const std::size_t beyond = faceBeyond(faces.cells, list.face[i], list.neighbour[i]);
+    result.opposite[list.face[i]] = beyond;
+    result.opposite[beyond] = list.face[i];
+  }
   for (std::size_t i = 0; i < outer.size(); ++i)
   {
-    boundary[list.face[list.neighbour.size() + i]] =
+    result.boundary[list.face[inner + i]] =
       outer[i] == UnknownBoundary ? vtkIdType(NoBoundary) : outer[i];
   }
-  return boundary;
+  return result;
 }
 
 class FlatGrid
@@ -63,8 +76,9 @@ public:
     , faces_(grid, execution)
   {
     turnOutward(faces_.cells, faces_.points.data(), execution);
-    given_ = boundariesOf(grid, faces_, execution);
-    side_ = facesOfSide(faces_.cells, faces_.points, spec.across);
+    FaceNeighbours neighbours = neighboursOf(grid, faces_, execution);
+    given_ = std::move(neighbours.boundary);
+    side_ = facesOfSide(faces_.cells, faces_.points, spec.across, neighbours.opposite);
     mergeSkew(
       faces_.points, [&](std::uint32_t a, std::uint32_t b) { return regionOf(a) == regionOf(b); },
       [&](std::size_t face) -> long long {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace cartesian
 {
@@ -79,7 +80,7 @@ private:
     }
     const auto beside = [&](const DirectedEdge& edge) {
       const auto at = faceAt.find({ edge[1], edge[0] });
-      return at != faceAt.end() ? at->second : cells_.faceCount();
+      return at != faceAt.end() ? at->second : NoFace;
     };
     std::vector<BorderEdge> all;
     for (const std::size_t f : own_)
@@ -108,6 +109,46 @@ private:
   std::vector<std::size_t> own_;       // faces of one cell
   SideFaces result_;
 };
+
+}
+
+namespace
+{
+
+// The face of a cell, other than one, that runs along an edge from one point to the other.
+std::size_t faceAlong(const CellFaces& cells, std::size_t except, const DirectedEdge& edge)
+{
+  const auto cell = static_cast<std::size_t>(
+    std::upper_bound(cells.firstFace.begin(), cells.firstFace.end(), except) -
+    cells.firstFace.begin() - 1);
+  for (std::size_t f = cells.firstFace[cell]; f < cells.firstFace[cell + 1]; ++f)
+  {
+    const std::size_t first = cells.firstCorner[f];
+    const std::size_t size = cells.firstCorner[f + 1] - first;
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      if (f != except && cells.corners[first + i] == edge[0] &&
+        cells.corners[first + (i + 1) % size] == edge[1])
+      {
+        return f;
+      }
+    }
+  }
+  return NoFace;
+}
+
+// From cell to cell around the edge.
+std::size_t boundaryAround(
+  const CellFaces& cells, const BorderEdge& edge, const std::vector<std::size_t>& opposite)
+{
+  constexpr int MostCells = 64;
+  std::size_t face = edge.beside;
+  for (int i = 0; i < MostCells && face < opposite.size() && opposite[face] != NoFace; ++i)
+  {
+    face = faceAlong(cells, opposite[face], { edge.to, edge.from });
+  }
+  return face;
+}
 
 }
 
@@ -150,9 +191,30 @@ void addPolygon(const std::vector<BorderEdge>& border, std::uint32_t cell, SideF
   side.cellOf.push_back(cell);
 }
 
-SideFaces facesOfSide(const CellFaces& cells, const std::vector<double>& points, std::size_t axis)
+SideFaces facesOfSide(const CellFaces& cells, const std::vector<double>& points, std::size_t axis,
+  const std::vector<std::size_t>& opposite)
 {
-  return SideFinder(cells, points, axis).find();
+  SideFaces side = SideFinder(cells, points, axis).find();
+  std::set<DirectedEdge> all;
+  for (std::size_t p = 0; p < side.count(); ++p)
+  {
+    for (std::size_t i = 0; i < side.size(p); ++i)
+    {
+      all.insert({ side.edge(p, i).from, side.edge(p, i).to });
+    }
+  }
+  for (std::size_t p = 0; p < side.count(); ++p)
+  {
+    for (std::size_t i = 0; i < side.size(p); ++i)
+    {
+      const BorderEdge edge = side.edge(p, i);
+      if (all.count({ edge.to, edge.from }) == 0)
+      {
+        side.beside[side.firstCorner[p] + i] = boundaryAround(cells, edge, opposite);
+      }
+    }
+  }
+  return side;
 }
 
 }

@@ -40,9 +40,14 @@ std::vector<BorderEdge> borderOf(const std::vector<BorderEdge>& edges);
 
 void addPolygon(const std::vector<BorderEdge>& border, std::uint32_t cell, SideFaces& side);
 
+// In `opposite`, of a face on a boundary.
+constexpr std::size_t NoFace = ~std::size_t(0);
+
 // Those whose corners all have the lowest coordinate along an axis that any point has, exactly; polygons that one cell has
-// beside each other are united, unless that leaves a hole. In order of cells. `cells`: with corners counter-clockwise
-// from outside. `points`: three coordinates each, all of them used.
-SideFaces facesOfSide(const CellFaces& cells, const std::vector<double>& points, std::size_t axis);
+// beside each other are united, unless that leaves a hole. In order of cells. Where no polygon is beyond an edge, BorderEdge::beside is the face
+// on a boundary there, of whichever cell. `cells`: with corners counter-clockwise from outside. `points`: three coordinates
+// each, all of them used. `opposite`: of each face, the same of another cell.
+SideFaces facesOfSide(const CellFaces& cells, const std::vector<double>& points, std::size_t axis,
+  const std::vector<std::size_t>& opposite);
 
 }

@@ -21,11 +21,25 @@ struct Flat
   FlatCells cells;
 };
 
+std::vector<std::size_t> oppositesOf(const FacedCells& mesh)
+{
+  Execution execution;
+  const FaceList list = listFaces(mesh.cells, mesh.points.size() / 3, Clashes::Refused, execution);
+  std::vector<std::size_t> opposite(mesh.cells.faceCount(), NoFace);
+  for (std::size_t i = 0; i < list.neighbour.size(); ++i)
+  {
+    const std::size_t beyond = faceBeyond(mesh.cells, list.face[i], list.neighbour[i]);
+    opposite[list.face[i]] = beyond;
+    opposite[beyond] = list.face[i];
+  }
+  return opposite;
+}
+
 Flat flatOf(const Soup& soup, double cellSize, const SweepSpec& spec, bool merges = false)
 {
   Flat flat;
   flat.mesh = facedCells(meshOf(soup, cellsOf(cellSize)).mesh);
-  flat.side = facesOfSide(flat.mesh.cells, flat.mesh.points, spec.across);
+  flat.side = facesOfSide(flat.mesh.cells, flat.mesh.points, spec.across, oppositesOf(flat.mesh));
   if (merges)
   {
     mergeSkew(
