@@ -74,7 +74,8 @@ struct vtkCartesianMesher::Task
   vtkMTimeType time = 0; // of the filter and its inputs
   std::unique_ptr<cartesian::SurfaceFromVTK> surface;
   cartesian::BoundaryNames types; // of boundaries
-  cartesian::Options options;     // all but refinement
+  std::vector<std::string> regionNames;
+  cartesian::Options options; // all but refinement
   cartesian::PreparedSurface prepared;
   std::unique_ptr<cartesian::Decomposition> decomposition;
   std::vector<cartesian::SlabRange> pieces;
@@ -145,6 +146,7 @@ cartesian::Options vtkCartesianMesher::MakeOptions()
   {
     options.baffles.push_back({ boundary, back });
   }
+  options.zones = this->Zones;
   return options;
 }
 
@@ -290,6 +292,26 @@ void vtkCartesianMesher::AddBaffles(Task& task)
   }
 }
 
+// They divide the domain, and bound nothing.
+void vtkCartesianMesher::AddZones(Task& task)
+{
+  this->Zones.clear();
+  task.regionNames = task.surface->regionNames();
+  for (const auto& [boundary, type] : std::map<std::int32_t, std::string>(task.types))
+  {
+    if (type == cartesian::ZoneType)
+    {
+      if (this->Zones.empty())
+      {
+        task.regionNames = { "fluid" };
+      }
+      this->Zones.push_back(boundary);
+      task.regionNames.push_back(task.surface->names().at(boundary));
+      task.types.erase(boundary);
+    }
+  }
+}
+
 void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
   const cartesian::Processes& processes, vtkInformationVector** input, vtkInformationVector* output,
   cartesian::Execution& execution)
@@ -314,6 +336,7 @@ void vtkCartesianMesher::Begin(Task& task, const Piece& piece,
     cartesian::boundaryTypes(this->Boundaries(), task.surface->names(), task.surface->sides());
   this->WarnOfSymmetries(task);
   this->AddBaffles(task);
+  this->AddZones(task);
   task.options = this->MakeOptions();
   this->AddBoundaryOptions(*task.surface, task.options);
   this->AddTypesOfSides(task);
@@ -606,9 +629,8 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   {
     cartesian::setVector(mesh, "FlowDirection", cartesian::unitAlong(task.options.domain.flow));
   }
-  cartesian::toVTK(*piece.assembly,
-    { task.surface->names(), task.types, task.surface->regionNames() }, place, mesh,
-    vtkPolyData::GetData(output, 1), vtkPolyData::GetData(output, 3), execution);
+  cartesian::toVTK(*piece.assembly, { task.surface->names(), task.types, task.regionNames }, place,
+    mesh, vtkPolyData::GetData(output, 1), vtkPolyData::GetData(output, 3), execution);
   cartesian::addCellsLeftOut(*piece.assembly, vtkPolyData::GetData(output, 2));
   const bool wasSilent = this->IsSilent; // flaws of a piece are told by its own process
   this->IsSilent = wasSilent && place.isWhole;
@@ -651,7 +673,7 @@ void vtkCartesianMesher::WarnOfLosses(
 {
   const cartesian::Assembly& assembly = *piece.assembly;
   this->Warn(cartesian::describe(
-    cartesian::findVolumeLoss(task.prepared, assembly, execution), task.surface->regionNames()));
+    cartesian::findVolumeLoss(task.prepared, assembly, execution), task.regionNames));
   if (assembly.separate.leftOut == 0)
   {
     this->Warn(cartesian::describeWrongAreas(

@@ -487,7 +487,8 @@ protected:
   std::vector<double> BoundaryLayers;
   std::vector<std::string> BoundaryMergedNames;
   std::vector<std::pair<std::int32_t, std::int32_t>>
-    Baffles; // their boundaries, and those of their backs
+    Baffles;                       // their boundaries, and those of their backs
+  std::vector<std::int32_t> Zones; // their boundaries
   int CellBudget = 0;
   int Domain = Inside;
   std::vector<std::array<double, 3>> KeepPoints;
@@ -521,6 +522,7 @@ private:
   void AddTypesOfSides(Task& task) const;
   void WarnOfSymmetries(const Task& task);
   void AddBaffles(Task& task);
+  void AddZones(Task& task);
   // What can only be made of a whole mesh: then pieces are cut out of one.
   bool NeedsWholeMesh() const
   {

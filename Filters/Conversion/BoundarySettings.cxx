@@ -98,14 +98,15 @@ std::map<std::int32_t, std::size_t> rowsWith(const std::vector<std::string>& row
 void checkType(const std::string& type)
 {
   const std::vector<std::string>& types = foamTypes();
-  if (type != BaffleType && std::find(types.begin(), types.end(), type) == types.end())
+  if (type != BaffleType && type != ZoneType &&
+    std::find(types.begin(), types.end(), type) == types.end())
   {
     std::string known = AutomaticType;
     for (const std::string& one : types)
     {
       known += ", " + one;
     }
-    known += std::string(", ") + BaffleType;
+    known += std::string(", ") + BaffleType + ", " + ZoneType;
     throw Error(
       Fault::BadParameter, "Boundary Types has \"" + type + "\": choose one of " + known + ".");
   }

@@ -19,13 +19,16 @@ constexpr const char* AutomaticType = "automatic";
 // The type of a boundary whose triangles are sheets in a region (Repair/Baffles.h).
 constexpr const char* BaffleType = "baffle";
 
+// The type of a boundary that encloses a zone of the domain (Repair/Zones.h).
+constexpr const char* ZoneType = "zone";
+
 struct BoundarySettings
 {
   // Each for one boundary, or for all that match a pattern with * (any text) or ? (any character) and that no row has
   // by name; of several patterns the first counts. Sides of the domain match no pattern.
   std::vector<std::string> names; // each once
   std::vector<std::string>
-    types; // foamTypes(), BaffleType or AutomaticType, for each name; or empty
+    types; // foamTypes(), BaffleType, ZoneType or AutomaticType, for each name; or empty
   std::vector<double>
     ratios; // the R of section 4.10 for each name; negative: as elsewhere; or empty
   std::vector<double>

@@ -8,6 +8,7 @@
 #include "Patches/Patches.h"
 #include "Repair/DomainBox.h"
 #include "Repair/Regions.h"
+#include "Repair/Zones.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,6 +97,19 @@ void requireOneRegion(const SurfaceView& view, const DomainSpec& domain)
   }
 }
 
+void requireZonesFit(const Options& options)
+{
+  const bool fit = options.domain.isOutside() && options.domain.keepPoints.empty() &&
+    options.domain.keepOut.empty() && options.baffles.empty() && options.closeGaps == 0;
+  if (!options.zones.empty() && !fit)
+  {
+    throw Error(Fault::BadParameter,
+      "Boundaries of type zone need the Domain Outside, and neither Keep Points, Keep Out, baffles "
+      "nor Close "
+      "Gaps: set Domain to Outside and remove those, or give regions instead (Regions From).");
+  }
+}
+
 // Whether baffles may divide regions into parts (Baffles.h): the other options do not support parts.
 bool mayDivide(const Options& options)
 {
@@ -132,7 +146,8 @@ OpenSheets openSheetsOf(const PreparedSurface& prepared, const SurfaceView& view
 void separate(
   PreparedSurface& prepared, const SurfaceView& view, const Options& options, Execution& execution)
 {
-  prepared.fluid = view.region ? std::nullopt : reachFluid(prepared, options, execution);
+  const bool isDivided = view.region || !options.zones.empty();
+  prepared.fluid = isDivided ? std::nullopt : reachFluid(prepared, options, execution);
   if (prepared.fluid)
   {
     return;
@@ -144,6 +159,11 @@ void separate(
   spec.sheets = options.sheets;
   const double tolerance = options.contactTolerance / surface.lattice.step();
   const std::vector<std::uint8_t>& open = prepared.openSheets.isOfOne;
+  if (!options.zones.empty())
+  {
+    prepared.contacts = separateZones(surface, options.zones, prepared.planes, spec, execution);
+    return;
+  }
   if (!options.baffles.empty() && mayDivide(options))
   {
     const Surface given = surface;
@@ -208,7 +228,7 @@ void requireSpace(const PreparedSurface& prepared, const Options& options)
 void chooseDomain(const DomainSpec& domain, PreparedSurface& prepared)
 {
   Surface& surface = prepared.surface;
-  if (domain.isOutside())
+  if (domain.isOutside() && !surface.walls.any())
   {
     turnInsideOut(surface);
   }
@@ -260,6 +280,7 @@ PreparedSurface placeOnGrid(
   };
   place(Lattice(all));
   requireOneRegion(view, options.domain);
+  requireZonesFit(options);
   prepared.hasRoom = mayNeedSides(prepared, options, execution);
   if (prepared.hasRoom)
   {

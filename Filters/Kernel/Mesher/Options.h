@@ -41,6 +41,7 @@ struct Options
   double contactTolerance = 0; // user units (Regions.h)
   SheetHandling sheets = SheetHandling::Automatic;
   std::vector<Baffle> baffles;
+  std::vector<std::int32_t> zones; // boundaries that enclose zones of the domain Outside (Zones.h)
   DomainSpec domain;
   GridSpec grid;
   RefinementSpec refinement;
