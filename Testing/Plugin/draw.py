@@ -1,7 +1,7 @@
 """xvfb-run -a pvpython draw.py REPOSITORY PROGRAM [NAME ...]: makes pictures of the help pages: of the mesh of
 their task cut open (task), of a flow that OpenFOAM computed (flow), of a mesh that
 follows a solution (adaptation), of layers (layers), of the coolant jacket (jacket), of sections (slices), of
-cells around a rim (rims), of gaps that are closed (gaps, houses), of terrain (terrain), of strata and flat meshes (strata, flat), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
+cells around a rim (rims), of gaps that are closed (gaps, houses), of terrain (terrain), of strata, flat meshes and zones (strata, flat, zone), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
 of the exhaust header (regions; needs the folder of surfaces in SURFACES). PROGRAM is cartesian-mesher; the others are made by
 demo.sh, TestImages.py and Window/photograph.py."""
 
@@ -342,6 +342,22 @@ def draw_flat(folder):
     joined("flat.png", parts)
 
 
+def draw_zone(_):
+    """The page's rotor, cut open."""
+    names = {}
+    example = next(text for text in blocks(HELP / "regions.md", "python") if "rotor = " in text)
+    exec(example.split("SaveData")[0], names)
+    view = simple.CreateView("RenderView")
+    section = simple.SlicePolyhedra(Input=names["mesher"], Origin=[0, 0.0101, 0], Normal=[0, 1, 0])
+    display = show(section, view, "Region")
+    display.Representation = "Surface"
+    display.SetScalarBarVisibility(view, False)
+    edges = simple.Show(simple.ExtractEdges(Input=section), view)
+    edges.ColorArrayName, edges.DiffuseColor, edges.Position = ["CELLS", ""], [0.3, 0.3, 0.3], [0, -0.005, 0]
+    simple.GetColorTransferFunction("Region").RGBPoints = [1, 0.75, 0.85, 0.95, 2, 0.95, 0.8, 0.55]
+    picture("zone.png", view, [0, -1, 0], 2.2, [800, 520])
+
+
 def draw_cad(_):
     """A section of the page's regions."""
     names = {}
@@ -363,7 +379,7 @@ CUT = [51, 100, -3]  # in the middle of a tube of the header
 
 DRAWN = {"task": draw_task, "flow": draw_flow, "layers": draw_layers, "adaptation": draw_adaptation,
          "jacket": draw_jacket, "regions": draw_regions, "cad": draw_cad, "slices": draw_slices,
-         "rims": draw_rims, "gaps": draw_gaps, "houses": draw_houses, "strata": draw_strata, "flat": draw_flat, "terrain": draw_terrain}
+         "rims": draw_rims, "gaps": draw_gaps, "houses": draw_houses, "strata": draw_strata, "flat": draw_flat, "zone": draw_zone, "terrain": draw_terrain}
 for name in sys.argv[3:] or DRAWN:
     with tempfile.TemporaryDirectory() as folder:
         DRAWN[name](pathlib.Path(folder))
