@@ -169,9 +169,11 @@ public:
     loss.meshed = a_.regionVolumes;
     for (std::size_t r = 0; r < loss.meshed.size(); ++r)
     {
+      const auto region = static_cast<std::int32_t>(r) + FirstRegion;
       Tiles whole(size_, 1);
-      addSurface(static_cast<std::int32_t>(r) + FirstRegion, whole);
-      loss.enclosed.push_back(inUnits(whole.sum() + boxAround()));
+      addSurface(region, whole);
+      const double box = isAround(region) ? size_[0] * size_[1] * size_[2] : 0;
+      loss.enclosed.push_back(inUnits(whole.sum() + box));
     }
     for (std::size_t r = 0; r < loss.meshed.size(); ++r)
     {
@@ -187,8 +189,11 @@ public:
 private:
   double inUnits(double volume) const { return volume * std::pow(a_.boxes.lattice.step(), 3); }
 
-  // The space around bodies is inside of the box.
-  double boxAround() const { return surface_.around.inside() ? size_[0] * size_[1] * size_[2] : 0; }
+  // Whether it is the space around bodies, which is inside of the box.
+  bool isAround(std::int32_t region) const
+  {
+    return surface_.around.inside() && surface_.around.region() == region;
+  }
 
   // Calls add(item, tiles) for some items, chunk by chunk.
   template <class Add>
@@ -311,7 +316,7 @@ private:
     addSurface(region, ofSurface);
     addMesh(region, ofMesh);
     const Vector& size = ofMesh.sizeOfTile();
-    const double tile = boxAround() > 0 ? size[0] * size[1] * size[2] : 0;
+    const double tile = isAround(region) ? size[0] * size[1] * size[2] : 0;
     std::vector<VolumeLoss::Place>& places = loss.places.back();
     for (std::size_t t = 0; t < ofMesh.count(); ++t)
     {
