@@ -18,6 +18,58 @@ namespace
 
 constexpr std::uint32_t NoPart = ~0u;
 
+// What triangles of a surface are connected across edges.
+class GivenBodies
+{
+public:
+  GivenBodies(const Surface& surface, Execution& execution)
+    : connected_(surface.triangles.size())
+  {
+    const SurfaceEdges edges(surface, execution);
+    edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
+      for (const EdgeUse* use = begin; use != end; ++use)
+      {
+        connected_.unite(begin->triangle(), use->triangle());
+      }
+    });
+    edges.forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
+      if (end - begin != 2)
+      {
+        flawed_.insert(connected_.find(begin->triangle()));
+      }
+    });
+    for (std::uint32_t t = 0; t < surface.given.size(); ++t)
+    {
+      triangleOf_.emplace(surface.given[t], t);
+    }
+  }
+
+  // By a number in the view.
+  std::uint32_t of(std::uint32_t given) { return connected_.find(triangleOf_.at(given)); }
+
+  // Closed, and every edge of two triangles.
+  bool isSound(std::uint32_t body) const { return flawed_.count(body) == 0; }
+
+  // Numbers in the view.
+  std::vector<std::uint32_t> trianglesOf(const std::set<std::uint32_t>& bodies)
+  {
+    std::vector<std::uint32_t> all;
+    for (const auto& [given, t] : triangleOf_)
+    {
+      if (bodies.count(connected_.find(t)) > 0)
+      {
+        all.push_back(given);
+      }
+    }
+    return all;
+  }
+
+private:
+  DisjointSets connected_;
+  std::set<std::uint32_t> flawed_;                    // bodies
+  std::map<std::uint32_t, std::uint32_t> triangleOf_; // by numbers in the view
+};
+
 // The closed parts of a surface: shells that face out, with the cavities in them. A part is named by a triangle of its shell.
 class ClosedParts
 {
@@ -48,6 +100,14 @@ public:
   }
 
   std::uint32_t of(std::size_t triangle) const { return part_[triangle]; }
+
+  void leaveOut(const std::set<std::uint32_t>& parts)
+  {
+    for (std::uint32_t& part : part_)
+    {
+      part = parts.count(part) > 0 ? NoPart : part;
+    }
+  }
 
   // In cubic levels, cavities included.
   double volume(std::uint32_t part) const { return volume_.at(part); }
@@ -108,11 +168,11 @@ class PartJoiner
 {
 public:
   PartJoiner(const Surface& given, const Surface& surface, double width, Execution& execution)
-    : given_(given)
-    , surface_(surface)
+    : surface_(surface)
     , width_(width)
     , execution_(execution)
     , tree_(surface, execution)
+    , bodies_(given, execution)
     , parts_(surface, tree_, execution)
     , near_(surface.triangles.size())
     , boundaryOfStrips_(*std::max_element(surface.boundary.begin(), surface.boundary.end()) + 1)
@@ -121,6 +181,7 @@ public:
 
   PartGaps join()
   {
+    leaveOutFlawed();
     findNear();
     std::map<std::uint32_t, std::vector<std::uint32_t>> groups; // triangles
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
@@ -139,6 +200,20 @@ public:
   }
 
 private:
+  // Parts that were no closed bodies before the repair.
+  void leaveOutFlawed()
+  {
+    std::set<std::uint32_t> flawed;
+    for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
+    {
+      if (t >= surface_.given.size() || !bodies_.isSound(bodies_.of(surface_.given[t])))
+      {
+        flawed.insert(parts_.of(t));
+      }
+    }
+    parts_.leaveOut(flawed);
+  }
+
   // Parts with triangles that are near each other, by their bounds.
   void findNear()
   {
@@ -291,47 +366,27 @@ private:
   // All that is connected with parts that were joined, as bodies may have been united before.
   void replace()
   {
-    DisjointSets connected(given_.triangles.size());
-    SurfaceEdges(given_, execution_)
-      .forEach([&](std::uint32_t, const EdgeUse* begin, const EdgeUse* end) {
-        for (const EdgeUse* use = begin; use != end; ++use)
-        {
-          connected.unite(begin->triangle(), use->triangle());
-        }
-      });
-    std::map<std::uint32_t, std::uint32_t> triangleOf; // before the repair, by numbers in the view
-    for (std::uint32_t t = 0; t < given_.triangles.size(); ++t)
-    {
-      triangleOf.emplace(given_.given[t], t);
-    }
-    const auto bodyOf = [&](std::uint32_t given) { return connected.find(triangleOf.at(given)); };
     std::set<std::uint32_t> bodies;
     for (const PartGaps::Piece& piece : result_.pieces)
     {
-      bodies.insert(bodyOf(piece.given));
+      bodies.insert(bodies_.of(piece.given));
     }
     for (std::size_t t = 0; t < surface_.given.size(); ++t)
     {
       if (joined_.count(parts_.of(t)) == 0 && !namesAVertexTwice(surface_.triangles[t]) &&
-        bodies.count(bodyOf(surface_.given[t])) > 0)
+        bodies.count(bodies_.of(surface_.given[t])) > 0)
       {
         result_.pieces.push_back({ surface_.given[t], surface_.corners(t) });
       }
     }
-    for (const auto& [given, t] : triangleOf)
-    {
-      if (bodies.count(connected.find(t)) > 0)
-      {
-        result_.replaced.push_back(given);
-      }
-    }
+    result_.replaced = bodies_.trianglesOf(bodies);
   }
 
-  const Surface& given_;
   const Surface& surface_;
   double width_;
   Execution& execution_;
   TriangleTree tree_;
+  GivenBodies bodies_;
   ClosedParts parts_;
   DisjointSets near_; // parts
   std::int32_t boundaryOfStrips_;

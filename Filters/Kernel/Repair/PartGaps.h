@@ -7,7 +7,7 @@
 // are near each other are joined group by group, without those of which it is not certain what they enclose then. The method
 // is this project's own.
 //
-// Limits: where several gaps meet, a channel as wide as they are stays open; walls of one part that face each other leave a gap as it is; so do walls that lean from each other by more than 60 degrees.
+// Limits: parts take part that are closed as they are given, with two triangles at each edge; where several gaps meet, a channel as wide as they are stays open; walls of one part that face each other leave a gap as it is; so do walls that lean from each other by more than 60 degrees.
 #pragma once
 
 #include "Lattice/Vector.h"
