@@ -78,12 +78,14 @@ int vtkCellAssembler::RequestData(
     const cartesian::BoundarySettings boundaries{ this->BoundaryNames, this->BoundaryTypes,
       this->BoundaryRatios, {}, {}, {} };
     const auto types = cartesian::boundaryTypes(boundaries, names, cartesian::NoEnds);
-    if (std::any_of(types.begin(), types.end(),
-          [](const auto& type) { return type.second == cartesian::BaffleType; }))
+    for (const auto& [boundary, type] : types)
     {
-      throw cartesian::Error(cartesian::Fault::BadParameter,
-        "Boundary Types has \"baffle\", which only Cartesian Mesher supports: use it instead of "
-        "the three steps.");
+      if (type == cartesian::BaffleType || type == cartesian::ZoneType)
+      {
+        throw cartesian::Error(cartesian::Fault::BadParameter,
+          "Boundary Types has \"" + type +
+            "\", which only Cartesian Mesher supports: use it instead of the three steps.");
+      }
     }
     cartesian::Options options;
     options.patches.featureAngle = FeatureAngleOf(patchData, options.patches.featureAngle);

@@ -35,6 +35,16 @@ def show(source, view, array):
     return display
 
 
+def show_regions(mesh, view, y):
+    """A section across y, with the edges of cells before it."""
+    section = simple.SlicePolyhedra(Input=mesh, Origin=[0, y, 0], Normal=[0, 1, 0])
+    display = show(section, view, "Region")
+    display.Representation = "Surface"
+    display.SetScalarBarVisibility(view, False)
+    edges = simple.Show(simple.ExtractEdges(Input=section), view)
+    edges.ColorArrayName, edges.DiffuseColor, edges.Position = ["CELLS", ""], [0.3, 0.3, 0.3], [0, -0.005, 0]
+
+
 def half(source, origin, normal):
     clip = simple.Clip(Input=source, ClipType="Plane", Crinkleclip=1, Invert=1)
     clip.ClipType.Origin, clip.ClipType.Normal = origin, normal
@@ -309,12 +319,7 @@ def draw_strata(folder):
     strata = simple.GroupDatasets(Input=[stratum(rough[k][1], rough[k + 1][0]) for k in range(5)], BlockNames=names)
     mesher = simple.CartesianMesher(Input=strata, RegionsFrom="Blocks", ContactTolerance=0.1, CellSize=0.05)
     view = simple.CreateView("RenderView")
-    section = simple.SlicePolyhedra(Input=mesher, Origin=[0, 0.51, 0], Normal=[0, 1, 0])
-    display = show(section, view, "Region")
-    display.Representation = "Surface"
-    display.SetScalarBarVisibility(view, False)
-    edges = simple.Show(simple.ExtractEdges(Input=section), view)
-    edges.ColorArrayName, edges.DiffuseColor, edges.Position = ["CELLS", ""], [0.3, 0.3, 0.3], [0, -0.005, 0]
+    show_regions(mesher, view, 0.51)
     simple.GetColorTransferFunction("Region").RGBPoints = [1, 0.75, 0.65, 0.5, 2, 0.9, 0.85, 0.65, 3, 0.65, 0.8, 0.9, 4, 0.9, 0.7, 0.5, 5, 0.75, 0.85, 0.6]
     picture("strata.png", view, [0, -1, 0], 1.6, [800, 520])
 
@@ -348,12 +353,7 @@ def draw_zone(_):
     example = next(text for text in blocks(HELP / "regions.md", "python") if "rotor = " in text)
     exec(example.split("SaveData")[0], names)
     view = simple.CreateView("RenderView")
-    section = simple.SlicePolyhedra(Input=names["mesher"], Origin=[0, 0.0101, 0], Normal=[0, 1, 0])
-    display = show(section, view, "Region")
-    display.Representation = "Surface"
-    display.SetScalarBarVisibility(view, False)
-    edges = simple.Show(simple.ExtractEdges(Input=section), view)
-    edges.ColorArrayName, edges.DiffuseColor, edges.Position = ["CELLS", ""], [0.3, 0.3, 0.3], [0, -0.005, 0]
+    show_regions(names["mesher"], view, 0.0101)
     simple.GetColorTransferFunction("Region").RGBPoints = [1, 0.75, 0.85, 0.95, 2, 0.95, 0.8, 0.55]
     picture("zone.png", view, [0, -1, 0], 2.2, [800, 520])
 

@@ -82,25 +82,23 @@ private:
       const auto at = faceAt.find({ edge[1], edge[0] });
       return at != faceAt.end() ? at->second : NoFace;
     };
+    std::vector<std::vector<BorderEdge>> each; // of the faces on the side
     std::vector<BorderEdge> all;
     for (const std::size_t f : own_)
     {
+      each.emplace_back();
       forEachEdge(f, [&](const DirectedEdge& edge) {
-        all.push_back({ edge[0], edge[1], beside(edge) });
+        each.back().push_back({ edge[0], edge[1], beside(edge) });
       });
+      all.insert(all.end(), each.back().begin(), each.back().end());
     }
     if (const std::vector<BorderEdge> border = borderOf(all); !border.empty())
     {
-      addPolygon(border, cell, result_);
-      return;
+      each = { border };
     }
-    for (const std::size_t f : own_)
+    for (const std::vector<BorderEdge>& border : each)
     {
-      std::vector<BorderEdge> one;
-      forEachEdge(f, [&](const DirectedEdge& edge) {
-        one.push_back({ edge[0], edge[1], beside(edge) });
-      });
-      addPolygon(one, cell, result_);
+      addPolygon(border, cell, result_);
     }
   }
 
@@ -109,11 +107,6 @@ private:
   std::vector<std::size_t> own_;       // faces of one cell
   SideFaces result_;
 };
-
-}
-
-namespace
-{
 
 // The face of a cell, other than one, that runs along an edge from one point to the other.
 std::size_t faceAlong(const CellFaces& cells, std::size_t except, const DirectedEdge& edge)

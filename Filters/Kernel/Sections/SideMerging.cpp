@@ -64,8 +64,33 @@ private:
     return { p[0], p[1], p[2] };
   }
 
-  // Points of two edges that are one.
+  // Points of two edges that are one, unless less than a triangle were left of a polygon.
   void dropStraight()
+  {
+    std::set<std::uint32_t> straight = straightPoints();
+    for (std::size_t p = 0; p < side_.count(); ++p)
+    {
+      const std::vector<BorderEdge> edges = edgesOf(p);
+      const auto left = std::count_if(edges.begin(), edges.end(),
+        [&](const BorderEdge& edge) { return straight.count(edge.from) == 0; });
+      for (std::size_t i = 0; left < 3 && i < edges.size(); ++i)
+      {
+        straight.erase(edges[i].from);
+      }
+    }
+    SideFaces left;
+    for (std::size_t p = 0; p < side_.count(); ++p)
+    {
+      std::vector<BorderEdge> border = edgesOf(p);
+      border.erase(std::remove_if(border.begin(), border.end(),
+                     [&](const BorderEdge& edge) { return straight.count(edge.from) > 0; }),
+        border.end());
+      addPolygon(border, side_.cellOf[p], left);
+    }
+    side_ = std::move(left);
+  }
+
+  std::set<std::uint32_t> straightPoints() const
   {
     std::map<std::uint32_t, std::set<std::uint32_t>> next; // along edges
     std::map<std::uint32_t, std::set<long long>> boundaries;
@@ -82,25 +107,16 @@ private:
         }
       }
     }
-    const auto isStraight = [&](std::uint32_t point) {
-      const std::set<std::uint32_t>& ends = next.at(point);
-      return ends.size() == 2 && boundaries.at(point).size() == 1 &&
-        areOneEdge(minus(at(*ends.begin()), at(point)), minus(at(*ends.rbegin()), at(point)));
-    };
-    SideFaces left;
-    for (std::size_t p = 0; p < side_.count(); ++p)
+    std::set<std::uint32_t> straight;
+    for (const auto& [point, ends] : next)
     {
-      std::vector<BorderEdge> border;
-      for (const BorderEdge& edge : edgesOf(p))
+      if (ends.size() == 2 && boundaries.at(point).size() == 1 &&
+        areOneEdge(minus(at(*ends.begin()), at(point)), minus(at(*ends.rbegin()), at(point))))
       {
-        if (!isStraight(edge.from))
-        {
-          border.push_back(edge);
-        }
+        straight.insert(point);
       }
-      addPolygon(border, side_.cellOf[p], left);
     }
-    side_ = std::move(left);
+    return straight;
   }
 
   // From the point between them.

@@ -172,6 +172,19 @@ TEST(FlatCells, SkewPolygonsAreUnited)
   EXPECT_NEAR(volumeOf(merged), volumeOf(flat), 1e-9);
 }
 
+// Its third point is beside a short part of a nearly straight edge.
+TEST(FlatCells, ASliverStaysATriangle)
+{
+  const std::vector<double> points{ 0, 0, 0, 1, 0, 0, 0.05, 1e-9, 0 };
+  SideFaces side;
+  addPolygon({ { 0, 2, NoFace }, { 2, 1, NoFace }, { 1, 0, NoFace } }, 0, side);
+  mergeSkew(
+    points, [](std::uint32_t, std::uint32_t) { return true; }, [](std::size_t) { return 0LL; },
+    side);
+  ASSERT_EQ(side.count(), 1U);
+  EXPECT_EQ(side.size(0), 3U);
+}
+
 TEST(FlatCells, WhatIsWrongIsTold)
 {
   const Soup soup = box({ 0, -1, 0 }, { 1, 1, 0.5 });
