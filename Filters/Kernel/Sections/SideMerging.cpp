@@ -322,6 +322,7 @@ private:
       }
     }
     std::vector<std::size_t> all;
+    all.reserve(shared.size());
     for (const auto& [other, length] : shared)
     {
       all.push_back(other);
@@ -334,6 +335,7 @@ private:
   std::vector<BorderEdge> edgesOf(std::size_t polygon) const
   {
     std::vector<BorderEdge> edges;
+    edges.reserve(side_.size(polygon));
     for (std::size_t i = 0; i < side_.size(polygon); ++i)
     {
       edges.push_back(side_.edge(polygon, i));
