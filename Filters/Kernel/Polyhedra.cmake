@@ -66,10 +66,12 @@ add_library(CartesianPolyhedra STATIC
   OpenFoam/FrontalArea.cpp
   OpenFoam/HeatBalance.cpp
   OpenFoam/HeatCase.cpp
+  OpenFoam/HexahedralBox.cpp
   OpenFoam/LabelRuns.cpp
   OpenFoam/LeastSystem.cpp
   OpenFoam/PolyMeshFiles.cpp
   OpenFoam/PolyMeshReader.cpp
+  OpenFoam/RefinementLevels.cpp
   OpenFoam/Rows.cpp
   OpenFoam/SolverSetup.cpp
   OpenFoam/Substances.cpp
