@@ -4,6 +4,7 @@
 #include "Base/Error.h"
 #include "BoundaryOfFaces.h"
 #include "Cells/Cells.h"
+#include "OpenFoam/ThirdEdges.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -202,13 +203,15 @@ std::vector<BoxLevel> boxLevelsOf(vtkUnstructuredGrid* grid, const std::vector<v
   {
     return {};
   }
+  vtkDataArray* const layers = grid->GetCellData()->GetArray("Layer"); // of prisms at walls
   std::vector<BoxLevel> result;
   result.reserve(cells.size());
   for (const vtkIdType cell : cells)
   {
     const unsigned char* const level = levels->GetPointer(3 * cell);
     const auto [least, most] = std::minmax({ level[0], level[1], level[2] });
-    const bool isUncut = std::abs(fractions->GetValue(cell) - 1) < Rounding;
+    const bool isUncut = std::abs(fractions->GetValue(cell) - 1) < Rounding &&
+      (!layers || layers->GetComponent(cell, 0) == 0);
     result.push_back({ most, least == most && isUncut });
   }
   return result;
@@ -237,6 +240,10 @@ WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution)
   FoamMesh mesh =
     foamMesh(std::move(faces.points), faces.cells, std::move(list), std::move(patches), execution);
   mesh.boxLevels = boxLevelsOf(grid, faces.cellOf);
+  if (grid->GetFieldData()->HasArray("IsotropicLevels"))
+  {
+    mesh = withThirdEdges(std::move(mesh));
+  }
   return { std::move(mesh), std::move(regions), known == BoundaryKnowledge::Unfit };
 }
 

@@ -76,6 +76,7 @@ add_library(CartesianPolyhedra STATIC
   OpenFoam/SolverSetup.cpp
   OpenFoam/Substances.cpp
   OpenFoam/SymmetryPlanes.cpp
+  OpenFoam/ThirdEdges.cpp
   Formats/AsciiNames.cpp
   Formats/EnSightFiles.cpp
   Formats/FacesOfCells.cpp
