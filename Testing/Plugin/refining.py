@@ -37,7 +37,8 @@ def prepare(folder):
 def run(folder, solver, end, step, start="latestTime"):
     """The numbers of cells after each step that changes them, refined (True) or undone."""
     foam.write(folder, "system/controlDict", f"startFrom {start}; startTime 0; stopAt endTime; endTime {end}; deltaT {step};\n"
-               f"writeControl timeStep; writeInterval {round(end / step)}; writeFormat binary;")
+               f"writeControl timeStep; writeInterval {round(end / step)}; writeFormat binary;\n"
+               "adjustTimeStep no; maxCo 1; maxAlphaCo 1; maxDeltaT 1;")
     said = foam.run(folder, solver)
     return [(kind == "Refined", int(before), int(after))
             for kind, before, after in re.findall(r"(Refined|Unrefined) from (\d+) to (\d+) cells", said)], said
@@ -68,3 +69,29 @@ def refine_all(folder, deeper=1):
     refine(folder, "p", 10, 11, deepest)
     undone, _ = run(folder, "pimpleFoam", 8 + 2 * deeper, 1)
     return files.cells, refined[-1][2] if refined else files.cells, undone[-1][2] if undone else None, said
+
+
+def drop(folder, centre, radius, speed, end, step):
+    """A drop, of the fluid around it, moves with the stream along x, for interFoam; cells are refined at its surface. `undone`: whether
+    some were refined, and some of these undone; the numbers of cells of the mesh and at the end; and what the solver said."""
+    files = foam.Files(folder)
+    prepare(folder)
+    phase = "{ transportModel Newtonian; nu 1e-2; rho 1; }"
+    foam.write(folder, "constant/transportProperties", f"phases (water air); water {phase} air {phase} sigma 0;")
+    foam.write(folder, "constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);", "uniformDimensionedVectorField")
+    stream = f"({speed} 0 0)"
+    ends = {name: name in ("outlet", "xMax") for name in files.patches}
+    bodies = {name for name in files.patches if name.startswith("boundary")}
+    foam.write_field(folder, "U", "[0 1 -1 0 0 0 0]", stream, {name: "slip;" if name in bodies else "zeroGradient;" if out
+        else f"fixedValue; value uniform {stream};" for name, out in ends.items()})
+    foam.write_field(folder, "p_rgh", "[1 -1 -2 0 0 0 0]", "0", {name: "fixedValue; value uniform 0;" if out else
+        "fixedFluxPressure; value uniform 0;" for name, out in ends.items()})
+    foam.write_field(folder, "alpha.water", "[0 0 0 0 0 0 0]", "0", {name: "zeroGradient;" for name in files.patches})
+    path = pathlib.Path(folder) / "0/alpha.water"
+    inside = (np.linalg.norm(files.centres() - centre, axis=1) < radius).astype(float)
+    path.write_text(path.read_text().replace("internalField uniform 0", f"internalField {foam.items(inside)}"))
+    deepest = int(files.lists("cellLevel", np.int32)[0].max()) + 1
+    fluxes = "".join(f"({name} none)" for name in ("phi", "nHatf", "rhoPhi", "alphaPhi0.water", "ghf", "alphaPhiUn"))
+    refine(folder, "alpha.water", 0.01, 0.99, deepest, fluxes)
+    changes, said = run(folder, "interFoam", end, step, "startTime")
+    return {kind for kind, _, _ in changes} == {True, False}, files.cells, changes[-1][2], said

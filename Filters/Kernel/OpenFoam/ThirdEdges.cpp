@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenFoam/ThirdEdges.h"
 
-#include "Lattice/Vector.h"
+#include "Polyhedra/CellGeometry.h"
 
 #include <algorithm>
 #include <map>
@@ -15,15 +15,14 @@ namespace
 
 constexpr int MostRounds = 8;        // a division may make a face that needs another one
 constexpr std::uint8_t FewFaces = 4; // points of more have more than two edges
-constexpr std::size_t LeastCorners = 3;
-constexpr double LeastPart = 1e-3; // of the face, along its normal
+constexpr double LeastCosine = 1e-3; // of the face, along its normal
 
 // A face divided by a line between two of its corners.
 struct Division
 {
   std::size_t from; // of the corners of the face, from 0
   std::size_t to;
-  double part; // the smaller one, of the face
+  double cosine; // the smallest
 };
 
 class Round
@@ -33,18 +32,16 @@ public:
     : mesh_(mesh)
   {
     findPoints();
+    findCentres();
   }
 
-  // By face.
+  // By face, each with one at most.
   std::map<std::size_t, Division> divisions() const
   {
     std::map<std::size_t, Division> found;
-    for (std::size_t f = 0; f < mesh_.owner.size(); ++f)
+    for (const auto& [point, faces] : facesOf_)
     {
-      if (cornersLeft(f) < LeastCorners)
-      {
-        add(f, found);
-      }
+      add(point, faces, found);
     }
     return found;
   }
@@ -89,36 +86,22 @@ private:
     }
   }
 
-  std::size_t cornersLeft(std::size_t face) const
+  // The best one of a face of the point; none if all are poor.
+  void add(std::uint32_t point, const std::vector<std::size_t>& faces,
+    std::map<std::size_t, Division>& found) const
   {
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < sizeOf(face); ++i)
+    Division best{ 0, 0, LeastCosine };
+    std::size_t where = 0;
+    for (const std::size_t face : faces)
     {
-      left += facesOf_.count(cornerOf(face, i)) == 0 ? 1 : 0;
-    }
-    return left;
-  }
-
-  // The best one of another face at a corner that would go; none if all are poor.
-  void add(std::size_t face, std::map<std::size_t, Division>& found) const
-  {
-    Division best{ 0, 0, LeastPart };
-    std::size_t where = face;
-    for (std::size_t i = 0; i < sizeOf(face); ++i)
-    {
-      const auto point = facesOf_.find(cornerOf(face, i));
-      for (std::size_t n = 0; point != facesOf_.end() && n < point->second.size(); ++n)
+      const Division division = bestOf(face, point);
+      if (found.count(face) == 0 && division.cosine > best.cosine)
       {
-        const std::size_t other = point->second[n];
-        const Division division = bestOf(other, point->first);
-        if (other != face && found.count(other) == 0 && division.part > best.part)
-        {
-          best = division;
-          where = other;
-        }
+        best = division;
+        where = face;
       }
     }
-    if (where != face)
+    if (best.cosine > LeastCosine)
     {
       found[where] = best;
     }
@@ -132,34 +115,98 @@ private:
     {
       ++from;
     }
-    const Vector whole = doubleArea(face, from, size);
     Division best{ from, from, 0 };
     for (std::size_t n = 2; n + 2 <= size; ++n)
     {
-      const double share = dot(doubleArea(face, from, n + 1), whole) / dot(whole, whole);
-      const double part = std::min(share, 1 - share);
-      best = part > best.part ? Division{ from, (from + n) % size, part } : best;
+      const double cosine =
+        std::min(leastCosine(face, from, n + 1), leastCosine(face, from + n, size - n + 1));
+      best = cosine > best.cosine ? Division{ from, (from + n) % size, cosine } : best;
     }
     return best;
   }
 
-  // Of a polygon of `count` corners from one on.
-  Vector doubleArea(std::size_t face, std::size_t from, std::size_t count) const
+  FaceGeometry geometryOf(std::size_t face, std::size_t from, std::size_t count) const
   {
-    const auto at = [&](std::size_t i) {
+    return measureFace(count, [&](std::size_t i) {
       const double* const p = mesh_.points.data() + 3UL * cornerOf(face, from + i);
       return Vector{ p[0], p[1], p[2] };
+    });
+  }
+
+  // Of the part with `count` corners from one on, as its cells see it.
+  double leastCosine(std::size_t face, std::size_t from, std::size_t count) const
+  {
+    const FaceGeometry part = geometryOf(face, from, count);
+    const auto cosineOf = [&](std::uint32_t cell) {
+      const Vector way = minus(part.centre, centres_.at(cell));
+      return dot(part.area, way) / std::max(Tiny, norm(part.area) * norm(way));
     };
-    Vector area{};
-    for (std::size_t i = 1; i + 1 < count; ++i)
+    const double ofOwner = cosineOf(mesh_.owner[face]);
+    return face < mesh_.neighbour.size() ? std::min(ofOwner, -cosineOf(mesh_.neighbour[face]))
+                                         : ofOwner;
+  }
+
+  // Of the cells with points that have two edges: of the pyramids on their faces about the mean of these, as OpenFOAM.
+  void findCentres()
+  {
+    for (const auto& [point, faces] : facesOf_)
     {
-      area = plus(area, cross(minus(at(i), at(0)), minus(at(i + 1), at(0))));
+      for (const std::size_t face : faces)
+      {
+        centres_[mesh_.owner[face]] = {};
+        if (face < mesh_.neighbour.size())
+        {
+          centres_[mesh_.neighbour[face]] = {};
+        }
+      }
     }
-    return area;
+    std::map<std::uint32_t, std::vector<FaceGeometry>> faces;
+    for (std::size_t f = 0; f < mesh_.owner.size(); ++f)
+    {
+      addFace(f, mesh_.owner[f], 1, faces);
+      if (f < mesh_.neighbour.size())
+      {
+        addFace(f, mesh_.neighbour[f], -1, faces);
+      }
+    }
+    for (auto& [cell, centre] : centres_)
+    {
+      centre = centreOf(faces[cell]);
+    }
+  }
+
+  void addFace(std::size_t face, std::uint32_t cell, double sign,
+    std::map<std::uint32_t, std::vector<FaceGeometry>>& faces) const
+  {
+    if (centres_.count(cell) > 0)
+    {
+      FaceGeometry geometry = geometryOf(face, 0, sizeOf(face));
+      geometry.area = scaled(geometry.area, sign);
+      faces[cell].push_back(geometry);
+    }
+  }
+
+  static Vector centreOf(const std::vector<FaceGeometry>& faces)
+  {
+    Vector mean{};
+    for (const FaceGeometry& face : faces)
+    {
+      mean = plus(mean, scaled(face.centre, 1.0 / static_cast<double>(faces.size())));
+    }
+    Vector moment{};
+    double volume = 0;
+    for (const FaceGeometry& face : faces)
+    {
+      const double pyramid = dot(face.area, minus(face.centre, mean));
+      moment = plus(moment, scaled(minus(face.centre, mean), 0.75 * pyramid));
+      volume += pyramid;
+    }
+    return volume > Tiny ? plus(mean, scaled(moment, 1 / volume)) : mean;
   }
 
   const FoamMesh& mesh_;
   std::map<std::uint32_t, std::vector<std::size_t>> facesOf_; // of each point with two edges
+  std::map<std::uint32_t, Vector> centres_;                   // of their cells
 };
 
 // The parts follow each other, so that the order of faces stays.
