@@ -29,6 +29,10 @@
  * no more than one in memory. The input has the global ids of vtkCartesianMesher. Several regions are all meshes,
  * processor(N)/constant/(region)/polyMesh, or all zones.
  *
+ * A whole mesh has files of levels where solvers can refine it (Kernel/OpenFoam/RefinementLevels.h), by the cell arrays
+ * Level, VolumeFraction and Layer of vtkCartesianMesher; with its field data array IsotropicLevels, some faces at walls
+ * are divided so that refinement can be undone (Kernel/OpenFoam/ThirdEdges.h).
+ *
  * Around bodies, the solver set-up takes the flow direction from the field data array FlowDirection (three
  * components) of vtkCartesianMesher.
  *

@@ -14,8 +14,9 @@ namespace
 {
 
 constexpr int MostRounds = 8;        // a division may make a face that needs another one
-constexpr std::uint8_t FewFaces = 4; // points of more have more than two edges
-constexpr double LeastCosine = 1e-3; // of the face, along its normal
+constexpr std::uint8_t FewFaces = 6; // points of more have more than two edges
+constexpr double LeastCosine =
+  0.1; // between a part's normal and the way to it from its cells' centres
 
 // A face divided by a line between two of its corners.
 struct Division

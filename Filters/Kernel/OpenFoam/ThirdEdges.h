@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points with two edges, which OpenFOAM's solvers take away when they undo refinement, anywhere in the mesh (removeFaces of v1912). Where
-// a face would be left with less than three corners, they stop.
+// Points with two edges, which OpenFOAM's solvers take away when they undo refinement, anywhere in the mesh (removeFaces of v1912): walls
+// change there, and where a face would be left with less than three corners, the solver stops.
 //
-// Method: such a face keeps a corner to which another face with it is divided, so that it has three edges. A division must leave both
-// parts a normal like that of the whole, or is not made.
+// Method: a face with such a point is divided between it and the corner that leaves both parts upright as their cells see them.
+// Where none is, the point stays as it is.
 #pragma once
 
 #include "OpenFoam/PolyMeshFiles.h"
