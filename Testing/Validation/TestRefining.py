@@ -21,7 +21,7 @@ CASES = [(0.29, BALL, {"CellSize": 0.2, "RefinementDepth": 2} | ISOTROPIC),
          (0.15, read("cino_spot.obj"), {"CellSize": 0.2, "RefinementDepth": 2} | ISOTROPIC),
          (0.15, read("kcl_exhaust_header_lumens.stl"), {"CellSize": 16, "RefinementDepth": 2} | ISOTROPIC),
          (0.8, BALL, AROUND | {"BoxFrom": "Surface", "CellSize": 0.4}),
-         (0.5, BALL, AROUND | {"Layers": 2} | ISOTROPIC)]
+         (0.4, BALL, AROUND | {"Layers": 2} | ISOTROPIC)]
 
 
 def is_valid(folder, *options):
