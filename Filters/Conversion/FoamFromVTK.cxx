@@ -239,9 +239,10 @@ WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution)
   FoamRegions regions = regionsOf(grid, faces.cellOf, RegionsAsked::WithCells);
   FoamMesh mesh =
     foamMesh(std::move(faces.points), faces.cells, std::move(list), std::move(patches), execution);
-  mesh.boxLevels = boxLevelsOf(grid, faces.cellOf);
-  if (grid->GetFieldData()->HasArray("IsotropicLevels"))
+  if (grid->GetFieldData()->HasArray(
+        "IsotropicLevels")) // levels take a third of the time of writing
   {
+    mesh.boxLevels = boxLevelsOf(grid, faces.cellOf);
     mesh = withThirdEdges(std::move(mesh));
   }
   return { std::move(mesh), std::move(regions), known == BoundaryKnowledge::Unfit };

@@ -17,10 +17,9 @@ ISOTROPIC = {"IsotropicLevels": 1}
 
 # With the least share of cells that can be refined: most others are cut by walls, or beside such that are.
 CASES = [(0.29, BALL, {"CellSize": 0.2, "RefinementDepth": 2} | ISOTROPIC),
-         (0.01, BALL, {"CellSize": 0.2, "RefinementDepth": 2}),
          (0.15, read("cino_spot.obj"), {"CellSize": 0.2, "RefinementDepth": 2} | ISOTROPIC),
          (0.15, read("kcl_exhaust_header_lumens.stl"), {"CellSize": 16, "RefinementDepth": 2} | ISOTROPIC),
-         (0.8, BALL, AROUND | {"BoxFrom": "Surface", "CellSize": 0.4}),
+         (0.8, BALL, AROUND | {"BoxFrom": "Surface", "CellSize": 0.4} | ISOTROPIC),
          (0.4, BALL, AROUND | {"Layers": 2} | ISOTROPIC)]
 
 

@@ -31,10 +31,16 @@ public:
       std::vector<std::int32_t>(mesh.points.size() / 3), 0 }
   {
     listFaces();
+    double edge = std::numeric_limits<double>::max();
     for (std::size_t c = 0; c < mesh.cellCount; ++c)
     {
-      isRefinable_[c] = mesh_.boxLevels[c].isWhole && readBox(c) ? 1 : 0;
+      if (mesh_.boxLevels[c].isWhole && readBox(c))
+      {
+        isRefinable_[c] = 1;
+        edge = std::min(edge, std::ldexp(box_.shortestEdge(), levelOfBox(c)));
+      }
     }
+    levels_.edge = edge;
   }
 
   std::optional<RefinementLevels> find()
@@ -44,8 +50,8 @@ public:
       findPointLevels();
       findCellLevels();
     } while (giveUp());
-    findEdge();
-    return levels_.edge > 0 ? std::optional(std::move(levels_)) : std::nullopt;
+    const bool any = std::find(isRefinable_.begin(), isRefinable_.end(), 1) != isRefinable_.end();
+    return any ? std::optional(std::move(levels_)) : std::nullopt;
   }
 
 private:
@@ -76,15 +82,45 @@ private:
 
   int levelOfBox(std::size_t cell) const { return mesh_.boxLevels[cell].most; }
 
-  // Calls visit(cell) for those that can be refined, each in `box_`.
+  // Without hanging nodes.
+  bool isPlain(std::size_t cell) const
+  {
+    const auto begin = faces_.begin() + static_cast<std::ptrdiff_t>(firstFace_[cell]);
+    return firstFace_[cell + 1] - firstFace_[cell] == 6 &&
+      std::all_of(begin, begin + 6,
+        [&](std::uint32_t f) { return mesh_.start[f + 1UL] - mesh_.start[f] == 4; });
+  }
+
+  // Calls visit(point, halvings) for the points of each face of a cell that can be refined (HexahedralBox.h), and
+  // visitFace(face, isWhole) for the faces.
+  template <class Visitor, class FaceVisitor>
+  void forEachPart(std::size_t cell, Visitor&& visit, FaceVisitor&& visitFace)
+  {
+    if (!isPlain(cell))
+    {
+      readBox(cell);
+      box_.forEachPoint(visit);
+      box_.forEachFace(visitFace);
+      return;
+    }
+    for (std::size_t i = firstFace_[cell]; i < firstFace_[cell + 1]; ++i)
+    {
+      for (std::size_t c = mesh_.start[faces_[i]]; c < mesh_.start[faces_[i] + 1UL]; ++c)
+      {
+        visit(mesh_.corners[c], 0);
+      }
+      visitFace(faces_[i], true);
+    }
+  }
+
+  // Calls visit(cell) for those that can be refined.
   template <class Visitor>
-  void forEachRefinable(Visitor&& visit)
+  void forEachRefinable(Visitor&& visit) const
   {
     for (std::size_t c = 0; c < mesh_.cellCount; ++c)
     {
       if (isRefinable_[c] != 0)
       {
-        readBox(c);
         visit(c);
       }
     }
@@ -95,11 +131,14 @@ private:
     std::fill(levels_.ofPoints.begin(), levels_.ofPoints.end(), Free);
     uses_.assign(levels_.ofPoints.size(), 0);
     forEachRefinable([&](std::size_t c) {
-      box_.forEachPoint([&](std::uint32_t point, int halvings) {
-        std::int32_t& level = levels_.ofPoints[point];
-        level = std::min(level, levelOfBox(c) + halvings);
-        ++uses_[point];
-      });
+      forEachPart(
+        c,
+        [&](std::uint32_t point, int halvings) {
+          std::int32_t& level = levels_.ofPoints[point];
+          level = std::min(level, levelOfBox(c) + halvings);
+          ++uses_[point];
+        },
+        [](std::uint32_t, bool) {});
     });
   }
 
@@ -164,12 +203,13 @@ private:
   {
     std::vector<char> isWrong(mesh_.cellCount);
     forEachRefinable([&](std::size_t c) { isWrong[c] = isSound(c) ? 0 : 1; });
-    bool any = freePointsOfFaces(isWrong);
-    any = freePointsOfProtected() || any;
-    forEachRefinable([&](std::size_t c) {
-      box_.forEachPoint(
-        [&](std::uint32_t point, int) { isWrong[c] = isWrong[c] != 0 || isFreed_[point] != 0; });
-    });
+    const bool ofFaces = freePointsOfFaces(isWrong);
+    const bool ofProtected = freePointsOfProtected();
+    if (ofFaces || ofProtected)
+    {
+      forEachRefinable([&](std::size_t c) { isWrong[c] = isWrong[c] != 0 || hasFreed(c) ? 1 : 0; });
+    }
+    bool any = false;
     for (std::size_t c = 0; c < mesh_.cellCount; ++c)
     {
       any = any || isWrong[c] != 0;
@@ -178,18 +218,29 @@ private:
     return any;
   }
 
-  // Whether a cell, in `box_`, would be divided right.
-  bool isSound(std::size_t cell) const
+  bool hasFreed(std::size_t cell)
+  {
+    bool has = false;
+    forEachPart(
+      cell, [&](std::uint32_t point, int) { has = has || isFreed_[point] != 0; },
+      [](std::uint32_t, bool) {});
+    return has;
+  }
+
+  // Whether a cell that can be refined would be divided right.
+  bool isSound(std::size_t cell)
   {
     const int level = levelOfBox(cell);
     bool sound = true;
-    box_.forEachPoint([&](std::uint32_t point, int halvings) {
-      const std::int32_t found = levels_.ofPoints[point];
-      sound = sound && (halvings == 0 ? found <= level : found == level + halvings);
-    });
-    box_.forEachFace([&](std::uint32_t face, bool isWhole) {
-      sound = sound && (!isWhole || levelOfFace(face) == level);
-    });
+    forEachPart(
+      cell,
+      [&](std::uint32_t point, int halvings) {
+        const std::int32_t found = levels_.ofPoints[point];
+        sound = sound && (halvings == 0 ? found <= level : found == level + halvings);
+      },
+      [&](std::uint32_t face, bool isWhole) {
+        sound = sound && (!isWhole || levelOfFace(face) == level);
+      });
     return sound;
   }
 
@@ -258,15 +309,6 @@ private:
       isFreed_[*found] = 1;
     }
     return found != points.end();
-  }
-
-  void findEdge()
-  {
-    double edge = std::numeric_limits<double>::max();
-    forEachRefinable([&](std::size_t c) {
-      edge = std::min(edge, std::ldexp(box_.shortestEdge(), levelOfBox(c)));
-    });
-    levels_.edge = edge < std::numeric_limits<double>::max() ? edge : 0;
   }
 
   const FoamMesh& mesh_;
