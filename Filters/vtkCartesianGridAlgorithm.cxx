@@ -553,6 +553,7 @@ cartesian::RefinementSpec vtkCartesianGridAlgorithm::MakeSpec(
   cartesian::RefinementSpec spec;
   spec.depth = this->RefinementDepth;
   spec.transitionLayers = this->TransitionLayers;
+  spec.isotropic = this->IsotropicLevels;
   spec.sizing.curvatureAngle = this->CurvatureAngle;
   spec.sizing.featureDepth = this->FeatureDepth;
   spec.sizing.cellsAcrossGaps = this->CellsAcrossGaps;
@@ -672,6 +673,7 @@ void vtkCartesianGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BoundaryArray: " << this->BoundaryArray << "\n";
   os << indent << "RefinementDepth: " << this->RefinementDepth << "\n";
   os << indent << "TransitionLayers: " << this->TransitionLayers << "\n";
+  os << indent << "IsotropicLevels: " << this->IsotropicLevels << "\n";
   PrintTable(os, indent, "RefinementBlocks", this->RefinementBlocks);
   PrintTable(os, indent, "BoundaryRefinements", this->BoundaryRefinements);
   PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);

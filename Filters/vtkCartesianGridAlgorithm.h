@@ -159,6 +159,16 @@ public:
 
   ///@{
   /**
+   * Whether boxes are halved along x, y and z alike, which takes more of them: solvers that refine hexahedra need it
+   * (vtkPolyMeshWriter.h). Default: off.
+   */
+  vtkSetMacro(IsotropicLevels, bool);
+  vtkGetMacro(IsotropicLevels, bool);
+  vtkBooleanMacro(IsotropicLevels, bool);
+  ///@}
+
+  ///@{
+  /**
    * Blocks of boxes with refinement levels of their own; later rows override earlier ones. First and last box
    * along each axis (whole numbers from 0, both included), the level allowed where the surface passes, and the
    * level forced everywhere in the block, 0 to 12 (section 4.6).
@@ -392,6 +402,7 @@ protected:
   std::string BoundaryArray;
   int RefinementDepth = 0;
   int TransitionLayers = 0;
+  bool IsotropicLevels = false;
   std::vector<std::array<double, 8>> RefinementBlocks;
   std::vector<std::array<double, 4>> BoundaryRefinements;
   std::vector<int> BoundaryDepths;

@@ -625,6 +625,10 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   {
     cartesian::setField(mesh, cartesian::MetresPerUnitField, { this->MetresInUnit() });
   }
+  if (this->IsotropicLevels)
+  {
+    cartesian::setField(mesh, "IsotropicLevels", { 1 });
+  }
   if (task.options.domain.isOutside())
   {
     cartesian::setVector(mesh, "FlowDirection", cartesian::unitAlong(task.options.domain.flow));

@@ -29,6 +29,10 @@
  * no more than one in memory. The input has the global ids of vtkCartesianMesher. Several regions are all meshes,
  * processor(N)/constant/(region)/polyMesh, or all zones.
  *
+ * A whole mesh with vtkCartesianMesher's field data array IsotropicLevels has files of levels, by which solvers refine it
+ * (Kernel/OpenFoam/RefinementLevels.h), from the cell arrays Level, VolumeFraction and Layer; some faces at walls are
+ * divided so that refinement can be undone (Kernel/OpenFoam/ThirdEdges.h).
+ *
  * Around bodies, the solver set-up takes the flow direction from the field data array FlowDirection (three
  * components) of vtkCartesianMesher.
  *

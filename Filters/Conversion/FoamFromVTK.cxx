@@ -4,16 +4,20 @@
 #include "Base/Error.h"
 #include "BoundaryOfFaces.h"
 #include "Cells/Cells.h"
+#include "OpenFoam/ThirdEdges.h"
 
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -22,6 +26,9 @@ namespace cartesian
 
 namespace
 {
+
+// The volume of a whole box, divided by its own, may differ from 1 by so much.
+constexpr double Rounding = 1e-9;
 
 // Numbers in order, NoBoundary last.
 bool isBefore(vtkIdType a, vtkIdType b)
@@ -187,6 +194,29 @@ BoundaryKnowledge readBoundaries(vtkUnstructuredGrid* grid, const GridFaces& fac
   return known;
 }
 
+// Of a mesh that knows the boxes of its cells; else empty.
+std::vector<BoxLevel> boxLevelsOf(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& cells)
+{
+  auto* levels = vtkUnsignedCharArray::SafeDownCast(grid->GetCellData()->GetArray("Level"));
+  auto* fractions = vtkDoubleArray::SafeDownCast(grid->GetCellData()->GetArray("VolumeFraction"));
+  if (!levels || levels->GetNumberOfComponents() != 3 || !fractions)
+  {
+    return {};
+  }
+  vtkDataArray* const layers = grid->GetCellData()->GetArray("Layer"); // of prisms at walls
+  std::vector<BoxLevel> result;
+  result.reserve(cells.size());
+  for (const vtkIdType cell : cells)
+  {
+    const unsigned char* const level = levels->GetPointer(3 * cell);
+    const auto [least, most] = std::minmax({ level[0], level[1], level[2] });
+    const bool isUncut = std::abs(fractions->GetValue(cell) - 1) < Rounding &&
+      (!layers || layers->GetComponent(cell, 0) == 0);
+    result.push_back({ most, least == most && isUncut });
+  }
+  return result;
+}
+
 }
 
 WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution)
@@ -207,9 +237,15 @@ WholeMesh wholeMesh(vtkUnstructuredGrid* grid, Execution& execution)
     patches.push_back({ "boundary", boundaryOf.size() });
   }
   FoamRegions regions = regionsOf(grid, faces.cellOf, RegionsAsked::WithCells);
-  return { foamMesh(
-             std::move(faces.points), faces.cells, std::move(list), std::move(patches), execution),
-    std::move(regions), known == BoundaryKnowledge::Unfit };
+  FoamMesh mesh =
+    foamMesh(std::move(faces.points), faces.cells, std::move(list), std::move(patches), execution);
+  if (grid->GetFieldData()->HasArray(
+        "IsotropicLevels")) // levels take a third of the time of writing
+  {
+    mesh.boxLevels = boxLevelsOf(grid, faces.cellOf);
+    mesh = withThirdEdges(std::move(mesh));
+  }
+  return { std::move(mesh), std::move(regions), known == BoundaryKnowledge::Unfit };
 }
 
 FoamPiece foamPiece(vtkUnstructuredGrid* grid, Execution& execution)

@@ -69,14 +69,17 @@ add_library(CartesianPolyhedra STATIC
   OpenFoam/FrontalArea.cpp
   OpenFoam/HeatBalance.cpp
   OpenFoam/HeatCase.cpp
+  OpenFoam/HexahedralBox.cpp
   OpenFoam/LabelRuns.cpp
   OpenFoam/LeastSystem.cpp
   OpenFoam/PolyMeshFiles.cpp
   OpenFoam/PolyMeshReader.cpp
+  OpenFoam/RefinementLevels.cpp
   OpenFoam/Rows.cpp
   OpenFoam/SolverSetup.cpp
   OpenFoam/Substances.cpp
   OpenFoam/SymmetryPlanes.cpp
+  OpenFoam/ThirdEdges.cpp
   Formats/AsciiNames.cpp
   Formats/EnSightFiles.cpp
   Formats/FacesOfCells.cpp

@@ -86,7 +86,7 @@ unsigned axesToHalve(const LevelsAround& boxes, const BoxToBalance& box, const B
   }
   const unsigned wanted = axesAlongWhichTooCoarse(boxes, box, pass);
   unsigned result = 0;
-  if (wanted != 0 && pass.isGrowth())
+  if (wanted != 0 && pass.isAlike)
   {
     for (unsigned axis = 0; axis < 3; ++axis)
     {

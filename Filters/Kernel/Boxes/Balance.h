@@ -39,16 +39,15 @@ struct BalancePass
 {
   int level;
   int touching;
-
-  bool isGrowth() const { return touching == level; }
+  bool isAlike; // boxes that are too coarse are halved along all axes
 };
-constexpr BalancePass balanceOf(int level)
+constexpr BalancePass balanceOf(int level, bool isAlike = false)
 {
-  return { level, level + 1 };
+  return { level, level + 1, isAlike };
 }
 constexpr BalancePass growthOf(int level)
 {
-  return { level, level };
+  return { level, level, true };
 }
 
 // A box of the fine grid, or a part of one.

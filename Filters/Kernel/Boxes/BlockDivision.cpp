@@ -38,6 +38,11 @@ TriangleRange trianglesOf(const Block& block, const Boxes& globals, const Shoebo
 
 struct BlockDivision::Scratch
 {
+  explicit Scratch(bool isotropic)
+    : search(isotropic)
+  {
+  }
+
   FewestBoxes search;
   UnitStatuses statuses;
   ForcingScratch forcing;
@@ -46,11 +51,12 @@ struct BlockDivision::Scratch
   std::vector<std::uint32_t> toDivide; // units
 };
 
-BlockDivision::BlockDivision(
-  const Surface& surface, const Boxes& globals, const Shoeboxes& shoeboxes, Execution& execution)
+BlockDivision::BlockDivision(const Surface& surface, const Boxes& globals,
+  const Shoeboxes& shoeboxes, bool isotropic, Execution& execution)
   : surface_(surface)
   , globals_(globals)
   , shoeboxes_(shoeboxes)
+  , isotropic_(isotropic)
   , execution_(execution)
 {
 }
@@ -64,7 +70,7 @@ void BlockDivision::divide(Blocks& blocks) const
     std::vector<std::vector<Block>> children(count);
     execution_.nextLoop(0.6);
     execution_.forEach(count, BlocksAChunk, [&](std::size_t first, std::size_t end) {
-      Scratch scratch;
+      Scratch scratch(isotropic_);
       for (std::size_t b = first; b < end; ++b)
       {
         execution_.poll();

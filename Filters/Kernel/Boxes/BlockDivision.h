@@ -18,9 +18,9 @@ TriangleRange trianglesOf(const Block& block, const Boxes& globals, const Shoebo
 class BlockDivision
 {
 public:
-  // Borrows all arguments.
-  BlockDivision(
-    const Surface& surface, const Boxes& globals, const Shoeboxes& shoeboxes, Execution& execution);
+  // Borrows all arguments. `isotropic`: boxes are halved along all axes alike.
+  BlockDivision(const Surface& surface, const Boxes& globals, const Shoeboxes& shoeboxes,
+    bool isotropic, Execution& execution);
 
   // Divides the blocks, which are roots, and all below them.
   void divide(Blocks& blocks) const;
@@ -34,6 +34,7 @@ private:
   const Surface& surface_;
   const Boxes& globals_;
   const Shoeboxes& shoeboxes_;
+  bool isotropic_;
   Execution& execution_;
 };
 

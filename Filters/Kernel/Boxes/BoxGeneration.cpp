@@ -76,7 +76,8 @@ public:
     if (refinement_.any())
     {
       addRoots(blocks);
-      BlockDivision(surface_, boxes_, shoeboxes_, execution_).divide(blocks);
+      BlockDivision(surface_, boxes_, shoeboxes_, refinement_.isIsotropic(), execution_)
+        .divide(blocks);
       for (int level = refinement_.deepest(); level > 0; --level)
       {
         for (int layer = 1; layer < refinement_.transitionLayers(); ++layer)
@@ -85,7 +86,7 @@ public:
         }
         if (level > 1)
         {
-          balance(blocks, balanceOf(level - 1));
+          balance(blocks, balanceOf(level - 1, refinement_.isIsotropic()));
         }
       }
     }

@@ -2,7 +2,8 @@
 // Box Generation (section 4.5; steps 7 and 8).
 //
 // Method: the fewest boxes that cover what is inside, by dynamic programming over all ways to split a block by planes (the paper
-// names the aim and leaves the search open), then 2:1 balance in passes. Boxes may be long: they are halved along each axis by itself.
+// names the aim and leaves the search open), then 2:1 balance in passes. Boxes may be long: they are halved along each axis by itself,
+// unless RefinementSpec::isotropic.
 // Limits: fewest within blocks of 2^3 units along an axis, tiers of blocks beyond; only covers that repeated splitting makes; 32 bits
 // for the number of boxes.
 #pragma once

@@ -45,11 +45,21 @@ std::size_t FewestBoxes::lowerHalf(const DyadicBox& box, std::size_t here, std::
 bool FewestBoxes::isLeaf(const DyadicBox& box, std::size_t here) const
 {
   const auto& [x, y, z] = box.level;
+  if (isotropic_ && (x != y || y != z))
+  {
+    return false;
+  }
   const Content& content = content_[here];
   const int least = cube_.level + std::min({ x, y, z });
   const bool intersected = (content.statuses & bit(BoxStatus::Intersected)) != 0;
   return least >= content.forced &&
     (intersected ? least >= allowed_ : content.statuses == bit(BoxStatus::Inside));
+}
+
+bool FewestBoxes::maySplit(const DyadicBox& box, std::size_t axis) const
+{
+  const auto& [x, y, z] = box.level;
+  return box.level[axis] < bits_ && (!isotropic_ || box.level[axis] == std::min({ x, y, z }));
 }
 
 int FewestBoxes::cheapestSplit(const DyadicBox& box, std::size_t here, std::uint32_t& cost) const
@@ -58,7 +68,7 @@ int FewestBoxes::cheapestSplit(const DyadicBox& box, std::size_t here, std::uint
   cost = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    if (box.level[axis] < bits_)
+    if (maySplit(box, axis))
     {
       const std::size_t lower = lowerHalf(box, here, axis);
       const std::uint32_t sum = cost_[lower] + cost_[lower + stride_[axis]];

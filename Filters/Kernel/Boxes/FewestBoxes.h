@@ -9,6 +9,8 @@
 // three additions: 27, 343 and 3375. The search is exact among the covers that repeated splitting can make; it does not
 // find those that no plane splits (five boxes that wind around a corner). Of equally cheap splits,
 // the one along the lowest axis is taken.
+//
+// If boxes must be isotropic, only cubes may stay, and splits go along all axes in turn.
 #pragma once
 
 #include "Boxes/LocalBox.h"
@@ -21,6 +23,12 @@ namespace cartesian
 class FewestBoxes
 {
 public:
+  // `isotropic`: boxes are halved along all axes alike.
+  explicit FewestBoxes(bool isotropic = false)
+    : isotropic_(isotropic)
+  {
+  }
+
   // In a cube with 2^bits units along each axis. `units`, `forced`: status and forced depth of each unit, x
   // fastest; `allowed`: the depth where units are intersected, if their forced depth is not larger. Returns
   // the number of boxes and of units to divide further.
@@ -53,6 +61,7 @@ private:
   std::size_t lowerHalf(const DyadicBox& box, std::size_t here, std::size_t axis) const;
   void evaluate(const DyadicBox& box, std::size_t here);
   bool isLeaf(const DyadicBox& box, std::size_t here) const;
+  bool maySplit(const DyadicBox& box, std::size_t axis) const;
   int cheapestSplit(const DyadicBox& box, std::size_t here, std::uint32_t& cost) const;
   bool isUnit(const DyadicBox& box) const
   {
@@ -61,6 +70,7 @@ private:
   void collect(
     const DyadicBox& box, std::vector<LocalBox>& boxes, std::vector<std::uint32_t>& units) const;
 
+  bool isotropic_;
   Cube cube_;
   int bits_ = 0;
   int allowed_ = 0;

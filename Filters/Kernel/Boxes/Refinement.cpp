@@ -132,6 +132,7 @@ Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
   , octants_(planes)
   , octantsWithoutBends_(planes)
   , transitionLayers_(std::max(1, spec.transitionLayers))
+  , isotropic_(spec.isotropic)
   , anyWithoutLayers_(spec.depth > 0 || !spec.blocks.empty() || !spec.boundaries.empty() ||
       !spec.regions.empty() || spec.sizing.asksEverywhere())
 {

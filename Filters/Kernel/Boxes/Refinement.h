@@ -60,6 +60,8 @@ struct RefinementSpec
   // The least number of boxes of one level, across sides, before those twice as large. 0: 1, or the domain's default
   // (Options.h).
   int transitionLayers = 0;
+
+  bool isotropic = false; // boxes are halved along all axes alike
 };
 
 struct Depths
@@ -142,6 +144,8 @@ public:
 
   int transitionLayers() const { return transitionLayers_; }
 
+  bool isIsotropic() const { return isotropic_; }
+
   // A message about rows of tables that extend beyond the grid, or empty.
   const std::string& warnings() const { return warnings_; }
 
@@ -168,6 +172,7 @@ private:
   Octants octants_;
   Octants octantsWithoutBends_; // at layers
   int transitionLayers_;
+  bool isotropic_;
   bool anyWithoutLayers_;
   int deepest_ = 0;
   int deepestWithoutSizes_ = 0;

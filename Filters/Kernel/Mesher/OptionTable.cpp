@@ -47,6 +47,7 @@ std::vector<NamedOption> optionTable()
     { "Refinement Depth", double(d.refinement.depth), RefinementSpec::AllDepths, "" },
     { "Transition Layers", double(d.refinement.transitionLayers),
       RefinementSpec::AllTransitionLayers, "" },
+    { "Isotropic Levels", double(d.refinement.isotropic), { 0, 1 }, "" },
     { "Refined Boundary Depth", double(BoundaryRefinement{}.depth), RefinementSpec::AllDepths, "" },
     { "Region Depth", double(RefinementRegion{}.depth), RefinementSpec::AllDepths, "" },
     { "Curvature Angle", d.refinement.sizing.curvatureAngle, SizingSpec::CurvatureAngles, Degrees },

@@ -93,6 +93,10 @@ private:
         {
           mesh_.addressing->cells.push_back(whole_.addressing->cells[cell]);
         }
+        if (!whole_.boxLevels.empty())
+        {
+          mesh_.boxLevels.push_back(whole_.boxLevels[cell]);
+        }
       }
     }
   }

@@ -5,6 +5,7 @@
 #include "Base/Sorting.h"
 #include "OpenFoam/FaceAreas.h"
 #include "OpenFoam/LeastSystem.h"
+#include "OpenFoam/RefinementLevels.h"
 #include "OpenFoam/SymmetryPlanes.h"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ constexpr const char* Zones = "cellZones";
 constexpr const char* FaceZones = "faceZones";
 constexpr std::array<const char*, 4> Addressing = { "pointProcAddressing", "faceProcAddressing",
   "cellProcAddressing", "boundaryProcAddressing" };
+constexpr std::array<const char*, 3> Levels = { "cellLevel", "pointLevel", "level0Edge" };
 
 // Whether the folder holds a mesh that we wrote, with these patches.
 bool isReplaceable(const fs::path& polyMesh, const std::vector<FoamPatch>& patches)
@@ -113,6 +115,18 @@ void writePoints(const FoamMesh& mesh, const Folder& to)
   points.close();
 }
 
+void writeLevels(const RefinementLevels& levels, const Folder& to)
+{
+  writeLabels(Levels[0], levels.ofCells, {}, to);
+  writeLabels(Levels[1], levels.ofPoints, {}, to);
+  FoamFile file(
+    to.path / Levels[2], FoamFormat::Ascii, { "uniformDimensionedScalarField", to.location, {} });
+  file.text("dimensions      [0 1 0 0 0 0 0];\nvalue           ");
+  file.decimal(levels.edge);
+  file.text(";\n");
+  file.close();
+}
+
 // Those that not all meshes have.
 void writeExtras(const FoamMesh& mesh, const Folder& to)
 {
@@ -131,6 +145,10 @@ void writeExtras(const FoamMesh& mesh, const Folder& to)
     writeLabels(Addressing[1], addressing.faces, {}, to);
     writeLabels(Addressing[2], addressing.cells, {}, to);
     writeLabels(Addressing[3], addressing.patches, {}, to);
+  }
+  if (const std::optional<RefinementLevels> levels = refinementLevels(mesh))
+  {
+    writeLevels(*levels, to);
   }
 }
 
@@ -191,8 +209,8 @@ fs::path withoutMesh(const fs::path& kept)
   {
     fs::remove(kept / name);
   }
-  for (const char* name :
-    { Zones, FaceZones, Addressing[0], Addressing[1], Addressing[2], Addressing[3] })
+  for (const char* name : { Zones, FaceZones, Addressing[0], Addressing[1], Addressing[2],
+         Addressing[3], Levels[0], Levels[1], Levels[2] })
   {
     if (FoamFile::isOurs(kept / name))
     {

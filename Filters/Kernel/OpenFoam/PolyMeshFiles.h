@@ -35,6 +35,13 @@ struct FoamAddressing
   std::vector<std::int32_t> patches; // -1: between two processes
 };
 
+// How often the box of a cell was halved.
+struct BoxLevel
+{
+  std::uint8_t most; // along one of the axes, 0 to DeepestLevel
+  bool isWhole;      // alike along all axes, and the cell is all of the box
+};
+
 struct FoamMesh
 {
   std::vector<double> points;           // three coordinates each; each point belongs to a face
@@ -47,6 +54,7 @@ struct FoamMesh
   std::vector<FoamZone> zones = {}; // cellZones; none: no such file
   std::vector<FoamFaceZone> faceZones = {};
   std::optional<FoamAddressing> addressing = {};
+  std::vector<BoxLevel> boxLevels = {}; // of each cell; empty: unknown
 };
 
 // `faces`: boundary faces in order of the patches. Throws Error (BadMesh): more than 2^31 - 1 corners.
@@ -63,7 +71,8 @@ struct FoamPlace
 // Writes meshes of a case: that of `folder`/constant/polyMesh, or one for each region, constant/<region>/polyMesh. A
 // piece's are in `folder`/processor0, processor1, ... instead; the list of regions stays in `folder`. Each has
 // points, faces, owner, neighbour, boundary and, if it has them, cellZones, faceZones, pointProcAddressing,
-// faceProcAddressing, cellProcAddressing, boundaryProcAddressing; beside them are the files system/controlDict,
+// faceProcAddressing, cellProcAddressing, boundaryProcAddressing; if solvers can refine cells of it, cellLevel, pointLevel
+// and level0Edge (RefinementLevels.h); beside them are the files system/controlDict,
 // fvSchemes, fvSolution and, of pieces, decomposeParDict that checkMesh needs, if they are missing.
 //
 // If this class wrote an existing polyMesh for patches of the same names, that is replaced once all the new

@@ -216,6 +216,22 @@ TEST(Balance, HoldsInEachDirectionForAnyRefinement)
   EXPECT_EQ(deepest, 4);
 }
 
+TEST(Balance, HoldsForIsotropicBoxesToo)
+{
+  std::mt19937 random(13);
+  for (unsigned n = 0; n < repeats(20); ++n)
+  {
+    SCOPED_TRACE("case " + std::to_string(n));
+    RandomSpec refinement = randomSpec(random);
+    refinement.spec.isotropic = true;
+    refinement.spec.transitionLayers = static_cast<int>(n % 3);
+    const Boxes boxes = Boxing(bumpySphere(n, 6), unevenGrid(), refinement.spec).boxes();
+    EXPECT_LE(largestDifference(boxes), 1);
+    EXPECT_EQ(mostLevelsApart(boxes), 0);
+    EXPECT_TRUE(isFinished(boxes));
+  }
+}
+
 TEST(Balance, IsTheSameForAnyNumberOfThreads)
 {
   std::mt19937 random(11);

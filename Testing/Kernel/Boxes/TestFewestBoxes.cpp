@@ -283,6 +283,27 @@ TEST(FewestBoxes, LeaveDeeperUnitsToOtherBlocks)
   }
 }
 
+TEST(FewestBoxes, AreCubesIfTheyMustBeIsotropic)
+{
+  std::mt19937 random(4);
+  FewestBoxes search(true);
+  for (int n = 0; n < 100; ++n)
+  {
+    const Case asked = randomCase(1 + n % 3, random);
+    const std::uint32_t found =
+      search.search(Cube{}, asked.depth, asked.allowed, asked.units, asked.forced);
+    std::vector<LocalBox> boxes;
+    std::vector<std::uint32_t> toDivide;
+    search.collect(boxes, toDivide);
+    ASSERT_EQ(boxes.size(), found);
+    expectCover(boxes, asked);
+    for (const LocalBox& box : boxes)
+    {
+      ASSERT_TRUE(box.level[0] == box.level[1] && box.level[1] == box.level[2]);
+    }
+  }
+}
+
 TEST(FewestBoxes, SplitInOneDirectionOnly)
 {
   // A wall across x: the half behind it is outside, the half before it one box.
