@@ -84,8 +84,6 @@ std::vector<vtkIdType> placesOfCells(vtkUnstructuredGrid* mesh, Execution& execu
   return places;
 }
 
-using BoundaryFaceRow = std::array<vtkIdType, 3>;
-
 // In the boundary's order.
 std::vector<BoundaryFaceRow> listRows(
   vtkUnstructuredGrid* mesh, vtkPolyData* boundary, Execution& execution)

@@ -11,6 +11,7 @@
 #include "GridFaces.h"
 #include "Surface/Walls.h"
 
+#include <array>
 #include <map>
 #include <string>
 
@@ -21,6 +22,8 @@ namespace cartesian
 
 constexpr const char* CellId = "CellId";
 constexpr const char* BoundaryOfFaces = "BoundaryOfFaces";
+
+using BoundaryFaceRow = std::array<vtkIdType, 3>; // its components
 
 // Adds BoundaryOfFaces to a mesh whose CellId is 0, 1, 2, ... in any order. `boundary`: as in MeshToVTK.h,
 // in order of OwnerCell.

@@ -46,10 +46,16 @@ add_library(CartesianPolyhedra STATIC
   Sections/CellDivision.cpp
   Sections/FaceFans.cpp
   Sections/FlatCells.cpp
+  Sections/PeriodicFaces.cpp
+  Sections/PlaneBuckets.cpp
+  Sections/PlaneGraph.cpp
+  Sections/PlaneOverlay.cpp
+  Sections/PlanePolygons.cpp
   Sections/PlaneSection.cpp
   Sections/PolygonBridges.cpp
   Sections/SideFaces.cpp
   Sections/SideMerging.cpp
+  Sections/SidePlane.cpp
   Sections/StarPoint.cpp
   Report/Canvas.cpp
   Report/HistogramDrawing.cpp
