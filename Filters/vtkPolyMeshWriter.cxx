@@ -8,10 +8,12 @@
 #include "FoamPieceStore.h"
 #include "LengthUnit.h"
 #include "OpenFoam/CaseTemplates.h"
+#include "OpenFoam/CyclicFaces.h"
 #include "OpenFoam/FoamBoundary.h"
 #include "OpenFoam/FoamPieceRegions.h"
 #include "OpenFoam/FrontalArea.h"
 #include "OpenFoam/SolverSetup.h"
+#include "PeriodicPairs.h"
 #include "Processes.h"
 
 #include "vtkDataArray.h"
@@ -371,6 +373,10 @@ void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
   const std::filesystem::path file = this->FileName;
   cartesian::PolyMeshFiles files(file.parent_path(), FormatOf(this->FileType));
   Enlarge(whole.mesh.points, this->ScaleOfMesh());
+  for (cartesian::FoamPatch& patch : whole.mesh.patches)
+  {
+    patch.motion = patch.motion.enlarged(this->ScaleOfMesh());
+  }
   const cartesian::FoamRegions& regions = whole.regions;
   cartesian::Execution execution(0);
   if (regions.names.empty() && !this->ZoneRegions.empty())
@@ -380,6 +386,7 @@ void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
   }
   if (regions.names.empty())
   {
+    cartesian::orderCyclicFaces(whole.mesh);
     files.write(whole.mesh, {}, execution);
   }
   else
@@ -392,8 +399,9 @@ void vtkPolyMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
     const std::set<std::uint32_t> meshes(zoning.meshOf.begin(), zoning.meshOf.end());
     for (const std::uint32_t region : meshes)
     {
-      files.write(cartesian::meshOfRegion(whole.mesh, regions, zoning, region),
-        meshes.size() == 1 ? std::string() : regions.names[region], execution);
+      cartesian::FoamMesh mesh = cartesian::meshOfRegion(whole.mesh, regions, zoning, region);
+      cartesian::orderCyclicFaces(mesh);
+      files.write(mesh, meshes.size() == 1 ? std::string() : regions.names[region], execution);
     }
   }
   auto* const grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());

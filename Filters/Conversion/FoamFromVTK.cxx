@@ -5,6 +5,7 @@
 #include "BoundaryOfFaces.h"
 #include "Cells/Cells.h"
 #include "OpenFoam/ThirdEdges.h"
+#include "PeriodicPairs.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -65,6 +66,26 @@ std::vector<std::string> patchNames(
   return names;
 }
 
+// What periodic pairs say of their patches.
+void addPairs(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& boundaries,
+  std::vector<FoamPatch>& patches)
+{
+  for (const PeriodicPair& pair : readPeriodicPairs(grid))
+  {
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      const auto own = std::find(boundaries.begin(), boundaries.end(), pair.boundary[k]);
+      const auto other = std::find(boundaries.begin(), boundaries.end(), pair.boundary[1 - k]);
+      if (own != boundaries.end() && other != boundaries.end())
+      {
+        FoamPatch& patch = patches[static_cast<std::size_t>(own - boundaries.begin())];
+        patch.partner = patches[static_cast<std::size_t>(other - boundaries.begin())].name;
+        patch.motion = k == 0 ? pair.motion : pair.motion.reversed();
+      }
+    }
+  }
+}
+
 }
 
 std::vector<FoamPatch> patchesOf(vtkUnstructuredGrid* grid,
@@ -78,6 +99,7 @@ std::vector<FoamPatch> patchesOf(vtkUnstructuredGrid* grid,
   {
     patches.push_back({ names[i], counts[i], types[boundaries[i]] });
   }
+  addPairs(grid, boundaries, patches);
   return patches;
 }
 

@@ -16,7 +16,9 @@ constexpr int Components = 12;
 
 vtkDoubleArray* rowsOf(vtkUnstructuredGrid* grid)
 {
-  auto* rows = vtkDoubleArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray(PeriodicPairs));
+  auto* rows = grid
+    ? vtkDoubleArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray(PeriodicPairs))
+    : nullptr;
   return rows && rows->GetNumberOfComponents() == Components ? rows : nullptr;
 }
 

@@ -22,6 +22,7 @@ struct PeriodicPair
   SideMotion motion;
 };
 
+// Of no grid: none.
 std::vector<PeriodicPair> readPeriodicPairs(vtkUnstructuredGrid* grid);
 void addPeriodicPair(const PeriodicPair& pair, vtkUnstructuredGrid* grid);
 

@@ -46,6 +46,7 @@ add_library(CartesianPolyhedra STATIC
   Sections/CellDivision.cpp
   Sections/FaceFans.cpp
   Sections/FlatCells.cpp
+  Sections/OutlineFitting.cpp
   Sections/PeriodicFaces.cpp
   Sections/PlaneBuckets.cpp
   Sections/PlaneGraph.cpp
@@ -64,6 +65,7 @@ add_library(CartesianPolyhedra STATIC
   OpenFoam/CaseTemplates.cpp
   OpenFoam/ConditionChecks.cpp
   OpenFoam/Conditions.cpp
+  OpenFoam/CyclicFaces.cpp
   OpenFoam/FaceAreas.cpp
   OpenFoam/FlowCase.cpp
   OpenFoam/FoamBoundary.cpp

@@ -2,7 +2,9 @@
 #include "OpenFoam/FoamBoundary.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -21,6 +23,28 @@ std::string entry(const std::string& key, const std::string& value)
   return "\n        " + key + std::string(key.size() < 16 ? 16 - key.size() : 1, ' ') + value + ";";
 }
 
+std::string vectorText(const Vector& v)
+{
+  std::array<char, 96> text;
+  std::snprintf(text.data(), text.size(), "(%.17g %.17g %.17g)", v[0], v[1], v[2]);
+  return text.data();
+}
+
+// Periodic, where the patch has a type; else both have the same place.
+std::string pairEntries(const FoamPatch& patch)
+{
+  const SideMotion& motion = patch.motion;
+  const std::string type = patch.type.empty() ? "cyclicAMI" : patch.type;
+  return entry("inGroups", "1(" + type + ")") + entry("matchTolerance", "0.0001") +
+    (patch.type.empty() ? entry("transform", "noOrdering")
+        : motion.angle != 0
+        ? entry("transform", "rotational") + entry("rotationAxis", vectorText(motion.axis)) +
+          entry("rotationCentre", vectorText(motion.centre))
+        : entry("transform", "translational") +
+          entry("separationVector", vectorText(motion.translation))) +
+    entry("neighbourPatch", patch.partner);
+}
+
 std::string newEntries(const FoamPatch& patch)
 {
   const bool isMapped = !patch.sample.region.empty();
@@ -29,8 +53,8 @@ std::string newEntries(const FoamPatch& patch)
   std::string text = entry("type",
                        isMapped                  ? "mappedWall"
                          : isShared              ? "processor"
-                         : isCoupled             ? "cyclicAMI"
                          : !patch.type.empty()   ? patch.type
+                         : isCoupled             ? "cyclicAMI"
                          : isOpening(patch.name) ? "patch"
                                                  : "wall") +
     entry("nFaces", "0") + entry("startFace", "0");
@@ -41,8 +65,7 @@ std::string newEntries(const FoamPatch& patch)
   }
   if (isCoupled)
   {
-    text += entry("inGroups", "1(cyclicAMI)") + entry("matchTolerance", "0.0001") +
-      entry("transform", "noOrdering") + entry("neighbourPatch", patch.partner);
+    text += pairEntries(patch);
   }
   if (isShared)
   {
@@ -216,7 +239,8 @@ std::string FoamBoundary::text(const std::vector<FoamPatch>& patches, std::size_
   std::string result = std::to_string(patches_.size()) + "\n(\n";
   for (std::size_t i = 0; i < patches_.size(); ++i)
   {
-    std::string entries = patches_[i].entries;
+    const bool isPeriodic = !patches[i].type.empty() && !patches[i].partner.empty();
+    std::string entries = isPeriodic ? newEntries(patches[i]) : patches_[i].entries;
     setEntry(entries, "nFaces", std::to_string(patches[i].count));
     setEntry(entries, "startFace", std::to_string(start));
     if (!patches[i].type.empty())

@@ -2,6 +2,8 @@
 // OpenFOAM's file constant/polyMesh/boundary: the patches and their entries, which users may edit.
 #pragma once
 
+#include "Sections/SideMotion.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -30,8 +32,10 @@ struct FoamPatch
   std::string type = {};        // one of foamTypes(); empty: as in the existing file, else by name
   FoamSample sample = {};       // a new patch that has one is a mappedWall
   FoamProcesses processes = {}; // a new patch that has them is a processor
-  std::string partner = {};     // a new patch that has one is a cyclicAMI with that patch
-  double area = 0;              // m2; 0: not known, as of a piece
+  std::string
+    partner = {}; // that patch is the other of a pair: a cyclicAMI, unless the type is cyclic
+  SideMotion motion = {}; // ... with a type: from this patch to that one
+  double area = 0;        // m2; 0: not known, as of a piece
 };
 
 // The types of patches that need no further entries.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sections/PlaneOverlay.h"
 
+#include "Sections/OutlineFitting.h"
 #include "Sections/PlaneBuckets.h"
 #include "Sections/PlaneGraph.h"
 
@@ -16,12 +17,15 @@ namespace
 
 constexpr std::uint32_t NoPoint = PlaneOverlay::NoPoint;
 constexpr std::uint32_t NoEdge = ~std::uint32_t(0);
+constexpr double Rounding = 1e-12; // of the sum of areas
 
-// What is nearer to points and edges of a division is on them.
+// What is nearer to points and edges of a division is on them; what is on its outline only to those of the other's outline.
 struct Reaches
 {
   std::vector<double> ofPoints;
   std::vector<double> ofEdges;
+  std::vector<bool> isOutlinePoint;
+  std::vector<bool> isOutlineEdge;
 };
 
 std::uint32_t findEdge(const std::vector<PlaneEdge>& edges, std::uint32_t a, std::uint32_t b)
@@ -45,7 +49,8 @@ Reaches reachesOf(const PlanePolygons& polygons, const std::vector<PlaneEdge>& e
 {
   constexpr double Far = std::numeric_limits<double>::max();
   Reaches reaches{ std::vector<double>(polygons.points.size(), Far),
-    std::vector<double>(edges.size(), Far) };
+    std::vector<double>(edges.size(), Far), std::vector<bool>(polygons.points.size()),
+    std::vector<bool>(edges.size()) };
   const auto lower = [](double& reach, double length) {
     reach = std::min(reach, PlaneOverlay::Nearby * length);
   };
@@ -78,6 +83,15 @@ Reaches reachesOf(const PlanePolygons& polygons, const std::vector<PlaneEdge>& e
   {
     reaches.ofEdges[e] = std::min(
       { reaches.ofEdges[e], reaches.ofPoints[edges[e].from], reaches.ofPoints[edges[e].to] });
+  }
+  for (std::size_t e = 0; e < edges.size(); ++e)
+  {
+    if (edges[e].isOutline())
+    {
+      reaches.isOutlineEdge[e] = true;
+      reaches.isOutlinePoint[edges[e].from] = true;
+      reaches.isOutlinePoint[edges[e].to] = true;
+    }
   }
   return reaches;
 }
@@ -116,7 +130,10 @@ public:
       followFirst(routes_[e]);
     }
     listChains();
-    traceFaces({ sidesOf(first_, 0), sidesOf(second_, 1) }, result_);
+    const std::array sides{ sidesOf(first_, 0), sidesOf(second_, 1) };
+    traceFaces(sides, result_);
+    compareAreas(first_.count(), sides[0], 0);
+    compareAreas(second_.count(), sides[1], 1);
     return std::move(result_);
   }
 
@@ -179,7 +196,8 @@ private:
       for (const std::uint32_t other : nearPoints_.near(range))
       {
         const double away = distance(first_.points[other], place);
-        if (away <= std::min(reaches_[0].ofPoints[other], reaches_[1].ofPoints[p]))
+        if (reaches_[0].isOutlinePoint[other] == reaches_[1].isOutlinePoint[p] &&
+          away <= std::min(reaches_[0].ofPoints[other], reaches_[1].ofPoints[p]))
         {
           pairs.push_back({ away, { other, p } });
         }
@@ -210,7 +228,8 @@ private:
       const PlanePlace& b = first_.points[edges_[0][e].to];
       const double foot = footOn(a, b, place);
       const double away = distance(between(a, b, foot), place);
-      if (foot > 0 && foot < 1 && away <= std::min(least, reaches_[0].ofEdges[e]))
+      if (reaches_[0].isOutlineEdge[e] == reaches_[1].isOutlinePoint[p] && foot > 0 && foot < 1 &&
+        away <= std::min(least, reaches_[0].ofEdges[e]))
       {
         least = away;
         onto.edge = e;
@@ -244,8 +263,7 @@ private:
   void route(std::uint32_t e)
   {
     const PlaneEdge& edge = edges_[1][e];
-    const std::vector<std::uint32_t> way =
-      pointsOn(vertexOf_[edge.from], vertexOf_[edge.to], reaches_[1].ofEdges[e]);
+    const std::vector<std::uint32_t> way = pointsOn(vertexOf_[edge.from], vertexOf_[edge.to], e);
     std::vector<std::uint32_t> all{ way[0] };
     for (std::size_t i = 0; i + 1 < way.size(); ++i)
     {
@@ -265,8 +283,10 @@ private:
   }
 
   // One vertex, the points of the first division that are on the way from there to another, and this.
-  std::vector<std::uint32_t> pointsOn(std::uint32_t v, std::uint32_t w, double reach)
+  std::vector<std::uint32_t> pointsOn(std::uint32_t v, std::uint32_t w, std::uint32_t edge)
   {
+    const double reach = reaches_[1].ofEdges[edge];
+    const bool isOutline = reaches_[1].isOutlineEdge[edge];
     PlaneRange range = rangeOf(at(v), at(w));
     range.grow(reach);
     std::vector<std::pair<double, std::uint32_t>> found;
@@ -276,7 +296,7 @@ private:
       const double away = distance(between(at(v), at(w), foot), at(p));
       // Less near the ends, where other edges may be in between.
       const double most = 2 * reach * std::min(foot, 1 - foot);
-      if (p != v && p != w && foot > 0 && foot < 1 &&
+      if (p != v && p != w && reaches_[0].isOutlinePoint[p] == isOutline && foot > 0 && foot < 1 &&
         away <= std::min(most, reaches_[0].ofPoints[p]))
       {
         found.emplace_back(foot, p);
@@ -439,6 +459,52 @@ private:
     return sides;
   }
 
+  // Where a polygon is not what it was divided into, points and edges have moved across others.
+  void compareAreas(std::size_t count, const std::vector<SidedEdge>& sides, std::size_t k)
+  {
+    std::vector<double> areas(count);
+    std::vector<std::uint32_t> anyVertex(count);
+    const PlanePlace origin = at(0);
+    double all = 0;
+    for (const SidedEdge& side : sides)
+    {
+      if (side.polygon != NoPolygon)
+      {
+        areas[side.polygon] += turnOf(origin, at(side.from), at(side.to)) / 2;
+        anyVertex[side.polygon] = side.from;
+      }
+    }
+    for (std::size_t p = 0; p < result_.polygons.size(); ++p)
+    {
+      const double own = areaOf(p);
+      areas[result_.polygons[p].of[k]] -= own;
+      all += own;
+    }
+    for (std::size_t polygon = 0; polygon < count; ++polygon)
+    {
+      if (std::abs(areas[polygon]) > std::max(Rounding * all, result_.unmatched))
+      {
+        result_.unmatched = std::abs(areas[polygon]);
+        result_.unmatchedAt = at(anyVertex[polygon]);
+      }
+    }
+  }
+
+  double areaOf(std::size_t polygon) const
+  {
+    const std::size_t first = result_.polygons[polygon].firstCorner;
+    const std::size_t end = polygon + 1 < result_.polygons.size()
+      ? result_.polygons[polygon + 1].firstCorner
+      : result_.corners.size();
+    double area = 0;
+    for (std::size_t i = first + 1; i + 1 < end; ++i)
+    {
+      area +=
+        turnOf(at(result_.corners[first]), at(result_.corners[i]), at(result_.corners[i + 1]));
+    }
+    return area / 2;
+  }
+
   const PlanePolygons& first_;
   const PlanePolygons& second_;
   std::array<std::vector<PlaneEdge>, 2> edges_;
@@ -457,11 +523,58 @@ private:
   PlaneOverlay result_;
 };
 
+// Of the second division's points, those that it had; its edges as they were.
+PlaneOverlay withoutInserted(
+  const FittedOutline& fitted, const PlanePolygons& second, PlaneOverlay result)
+{
+  std::vector<std::uint32_t> vertexOf(fitted.polygons.points.size(), NoPoint);
+  for (std::uint32_t v = 0; v < result.vertices.size(); ++v)
+  {
+    std::uint32_t& point = result.vertices[v].point[1];
+    if (point != NoPoint)
+    {
+      vertexOf[point] = v;
+      point = point < second.points.size() ? point : NoPoint;
+    }
+  }
+  std::map<std::array<std::uint32_t, 2>, std::vector<std::uint32_t>> parts;
+  for (PlaneOverlay::Chain& chain : result.chains[1])
+  {
+    parts[chain.ends] = std::move(chain.vertices);
+  }
+  for (const auto& [ends, points] : fitted.inserted)
+  {
+    std::vector<std::uint32_t> all;
+    std::uint32_t from = ends[0];
+    const auto addTo = [&](std::uint32_t to) {
+      const auto part = parts.extract({ std::min(from, to), std::max(from, to) });
+      const std::vector<std::uint32_t>& own = part.mapped();
+      from < to ? void(all.insert(all.end(), own.begin(), own.end()))
+                : void(all.insert(all.end(), own.rbegin(), own.rend()));
+      from = to;
+    };
+    for (const std::uint32_t point : points)
+    {
+      addTo(point);
+      all.push_back(vertexOf[point]);
+    }
+    addTo(ends[1]);
+    parts[ends] = std::move(all);
+  }
+  result.chains[1].clear();
+  for (auto& [ends, vertices] : parts)
+  {
+    result.chains[1].push_back({ ends, std::move(vertices) });
+  }
+  return result;
+}
+
 }
 
 PlaneOverlay overlay(const PlanePolygons& first, const PlanePolygons& second)
 {
-  return Overlaying(first, second).run();
+  const FittedOutline fitted = fitOutline(first, second);
+  return withoutInserted(fitted, second, Overlaying(first, fitted.polygons).run());
 }
 
 }

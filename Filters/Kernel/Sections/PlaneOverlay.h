@@ -2,7 +2,7 @@
 // Two divisions of the same part of a plane, united: each polygon lies in one of the first and in one of the second, as faces on
 // either side of a periodic pair of boundaries must be.
 //
-// The first stays where it is. Points of the second that are near to one of its points or edges move there; its edges bend through points
+// The first stays where it is. The second's outline moves onto the first's (OutlineFitting.h). Points of the second that are near to one of its points or edges move there; its edges bend through points
 // of the first that are near; so no slivers are made. Where edges still cross, both get a point.
 #pragma once
 
@@ -41,7 +41,7 @@ struct PlaneOverlay
   std::vector<std::uint32_t> corners;       // vertices, counter-clockwise; up to the next polygon's
   std::array<std::vector<Chain>, 2> chains; // by their ends
 
-  // What only one of the divisions has: its area, and a place in the largest part.
+  // What only one of the divisions has, or has lost: its area, and a place in the largest part.
   double unmatched = 0;
   PlanePlace unmatchedAt{};
 };

@@ -63,6 +63,8 @@ struct PlaneEdge
   std::uint32_t from;
   std::uint32_t to;
   std::array<std::uint32_t, 2> polygons; // to the left and to the right, or NoPolygon
+
+  bool isOutline() const { return polygons[0] == NoPolygon || polygons[1] == NoPolygon; }
 };
 
 // Each once, by its ends, the lower of which is the first.

@@ -17,6 +17,15 @@ struct SideMotion
   Vector of(const Vector& point) const { return plus(turned(point, angle), translation); }
   Vector before(const Vector& point) const { return turned(minus(point, translation), -angle); }
 
+  // A motion that either turns or moves.
+  SideMotion reversed() const { return { scaled(translation, -1), axis, centre, -angle }; }
+
+  // In other units.
+  SideMotion enlarged(double scale) const
+  {
+    return { scaled(translation, scale), axis, scaled(centre, scale), angle };
+  }
+
 private:
   Vector turned(const Vector& point, double by) const
   {
