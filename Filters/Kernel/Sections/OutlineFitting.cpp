@@ -22,6 +22,11 @@ struct Outline
   std::vector<double> reaches;       // of each: what is nearer may be the same
 };
 
+double reachOf(const PlaneEdge& edge, const std::vector<PlanePlace>& points)
+{
+  return OutlineFitting::Nearby * distance(points[edge.from], points[edge.to]);
+}
+
 Outline outlineOf(const PlanePolygons& polygons)
 {
   Outline outline;
@@ -39,18 +44,18 @@ Outline outlineOf(const PlanePolygons& polygons)
   outline.reaches.resize(outline.points.size());
   for (const PlaneEdge& edge : outline.edges)
   {
-    const double length = distance(polygons.points[edge.from], polygons.points[edge.to]);
     for (const std::uint32_t end : { edge.from, edge.to })
     {
       double& reach = outline.reaches[static_cast<std::size_t>(
         std::lower_bound(outline.points.begin(), outline.points.end(), end) -
         outline.points.begin())];
-      reach = std::max(reach, OutlineFitting::Nearby * length);
+      reach = std::max(reach, reachOf(edge, polygons.points));
     }
   }
   return outline;
 }
 
+// With what is near to them.
 std::vector<PlaneRange> rangesOf(
   const std::vector<PlaneEdge>& edges, const std::vector<PlanePlace>& points)
 {
@@ -59,6 +64,7 @@ std::vector<PlaneRange> rangesOf(
   for (const PlaneEdge& edge : edges)
   {
     ranges.push_back(rangeOf(points[edge.from], points[edge.to]));
+    ranges.back().grow(reachOf(edge, points));
   }
   return ranges;
 }
@@ -122,21 +128,23 @@ public:
   }
 
 private:
-  // The nearest place on some edges, within reach, not at their ends.
+  // The nearest place on some edges, within reach of the place or of the edge, not at their ends.
   static PlaceOnEdge nearestOn(const std::vector<PlaneEdge>& edges,
     const std::vector<PlanePlace>& points, PlaneBuckets& near, const PlanePlace& place,
     double reach)
   {
     PlaceOnEdge nearest;
+    double least = std::numeric_limits<double>::max();
     for (const std::uint32_t e : near.near(around(place, reach)))
     {
       const PlanePlace& a = points[edges[e].from];
       const PlanePlace& b = points[edges[e].to];
       const double foot = footOn(a, b, place);
       const double away = distance(between(a, b, foot), place);
-      if (foot > 0 && foot < 1 && away <= reach)
+      if (foot > 0 && foot < 1 && away < least &&
+        away <= std::max(reach, reachOf(edges[e], points)))
       {
-        reach = away;
+        least = away;
         nearest = { e, foot };
       }
     }
