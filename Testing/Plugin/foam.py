@@ -154,7 +154,7 @@ class Files:
         for name, (kind, start, count) in self.patches.items():
             assert start == next, name
             # Two patches of the same faces have one order.
-            paired = kind in ("mappedWall", "cyclicAMI", "processor")
+            paired = kind in ("mappedWall", "cyclic", "cyclicAMI", "processor")
             assert paired or (np.diff(self.owner[start:start + count]) >= 0).all(), name
             next += count
         assert next == len(self.owner)
