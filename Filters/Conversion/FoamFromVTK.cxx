@@ -130,6 +130,7 @@ FoamRegions regionsOf(
   {
     result.ofCell.push_back(number[regions->GetValue(cell)]);
   }
+  result.areZones = grid->GetFieldData()->HasArray("RegionsAreZones");
   return result;
 }
 
