@@ -70,8 +70,8 @@ with tempfile.TemporaryDirectory() as temporary:
     simple.SaveData(str(folder / "fan.msh"), simple.OutputPort(mesher, "Mesh"))
     found, zones = converted(folder / "fan.msh", folder / "fan_of_fluent")
     assert {("fluid", "fluid"), ("rotor", "fluid"), ("fluid_to_rotor", "interior"), ("interior_rotor", "interior")} < zones, zones
-    assert ("blade", "wall") in zones and not any(name.startswith("rotor_") for name, _ in zones), zones
-    assert set(found.patches) == set(whole.patches) and math.isclose(found.volumes().sum(), whole.volumes().sum(), rel_tol=1e-9)
+    assert set(found.patches) == set(whole.patches) - {"shaft"} | {"shaft_fluid", "shaft_rotor"}, found.patches  # no wall between the two
+    assert math.isclose(found.volumes().sum(), whole.volumes().sum(), rel_tol=1e-9)
     zone = (found.folder / "cellZones").read_text()
     assert set(re.findall(r"(\w+)\s*\{\s*type\s+cellZone", zone)) == {"fluid", "rotor"}, zone[:2000]
 

@@ -29,7 +29,7 @@ def ran(case):
     foam.run(case, "./Allrun")
     log = (case / "log.simpleFoam").read_text()
     residuals = [float(found) for found in re.findall(r"Solving for Ux, Initial residual = ([^,]+)", log)]
-    assert len(residuals) == SETUP["Iterations"] and "creating MRF zone list from MRFProperties" in log, log[-3000:]
+    assert len(residuals) == SETUP["Iterations"] and "creating MRF zone: MRF_rotor" in log, log[-3000:]
     return residuals[0], residuals[-1]
 
 
@@ -47,12 +47,12 @@ assert "nonRotatingPatches ();" in (case / "constant/MRFProperties").read_text()
 first, last = ran(case)
 assert last < 0.1 * first, (first, last)
 
-# Where the blade moves along y, at its end, the flow goes along with it: it is nowhere faster than the tip, and the fastest is nearly that.
+# The flow goes along with the blade, and is nowhere faster than its end.
 files = foam.Files(case)
 velocity = foam.read_field(case, SETUP["Iterations"], "U")
 speed = (velocity ** 2).sum(axis=1) ** 0.5
 tip = 6.28319 * 0.5 * SCALE
-assert 0.7 * tip < speed.max() < 1.3 * tip, (speed.max(), tip)
+assert 0.3 * tip < speed.max() < 1.1 * tip, (speed.max(), tip)
 x, y, z = files.centres().T / SCALE
 near = (abs(z) < 0.2) & (abs(y) < 0.3) & (abs(x) > 0.3) & (abs(x) < 0.6)
 assert near.any() and (velocity[near, 1] * x[near] > 0).all()
@@ -94,7 +94,7 @@ properties = (root / "task/constant/MRFProperties").read_text()
 for entry in "cellZone        rotor;", "origin          (0 0 1);", "axis            (0 0 2);", "omega           -62.8319;", "(shaft)":
     assert entry in properties, properties
 foam.run(root / "task", "./Allrun")
-assert "creating MRF zone list" in (root / "task/log.pimpleFoam").read_text()
+assert "creating MRF zone: MRF_rotor" in (root / "task/log.pimpleFoam").read_text()
 
 
 def expect_refusal(*words, proxy=mesh, **properties):

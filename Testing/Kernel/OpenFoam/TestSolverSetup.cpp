@@ -381,8 +381,8 @@ TEST_F(SolverCase, WhatIsNoTemplateIsRefusedBeforeAnythingIsWritten)
     "flow/controlDict has the placeholder @speed@, which has no value there. Those that "
     "have: @functions@, @iterations@.");
   fs::rename(setup.templates / "flow/controlDict", setup.templates / "controlDict");
-  expectRefusal(
-    "controlDict is no template. Templates are: Allrun, flow/commands, flow/controlDict");
+  expectRefusal("controlDict is no template. Templates are: Allrun, flow/MRFProperties, "
+                "flow/commands, flow/controlDict");
 }
 
 // Each interface is looked at once, and solids whose heat passes through walls alone.
