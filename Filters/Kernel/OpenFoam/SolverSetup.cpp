@@ -127,7 +127,9 @@ void requireSuitable(const SolverSetup& setup, const std::vector<MeshOfCase>& me
       areRegions(meshes)
         ? "Solver Setup is " + name +
           ", which needs a single mesh, but there are several "
-          "regions. Nothing is written: choose Conjugate Heat, or set Regions As to Zones."
+          "regions. Nothing is written: choose Conjugate Heat, or set Regions As to Zones, or name "
+          "those that are zones in Zone "
+          "Regions."
         : "Solver Setup is Conjugate Heat, which needs several regions, but there is only one. "
           "Nothing is written: choose Incompressible, or set Regions From.");
   }
