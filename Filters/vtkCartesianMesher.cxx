@@ -629,6 +629,10 @@ void vtkCartesianMesher::Write(const Task& task, const Piece& piece,
   {
     cartesian::setField(mesh, "IsotropicLevels", { 1 });
   }
+  if (!this->Zones.empty())
+  {
+    cartesian::setField(mesh, "RegionsAreZones", { 1 });
+  }
   if (task.options.domain.isOutside())
   {
     cartesian::setVector(mesh, "FlowDirection", cartesian::unitAlong(task.options.domain.flow));

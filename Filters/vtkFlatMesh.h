@@ -9,7 +9,7 @@
  * stays: boundaries, layers, regions, baffles.
  *
  * Cell arrays are copied from the cell that a face was of, but CellId, which is new; VolumeFraction and global ids are dropped. Field
- * data: RegionNames if there; BoundaryOfFaces, BoundaryIds, BoundaryNames and BoundaryTypes (BoundaryOfFaces.h), of the boundaries
+ * data: RegionNames and RegionsAreZones if there; BoundaryOfFaces, BoundaryIds, BoundaryNames and BoundaryTypes (BoundaryOfFaces.h), of the boundaries
  * that are left, and of two more, front and back, of type empty, or of a wedge, wedge. A side on the axis has no faces.
  *
  * Errors: BadParameter (a value out of its range, faces on both sides of the axis, an axis across the side), BadMesh

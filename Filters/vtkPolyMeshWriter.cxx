@@ -12,6 +12,7 @@
 #include "OpenFoam/FoamBoundary.h"
 #include "OpenFoam/FoamPieceRegions.h"
 #include "OpenFoam/FrontalArea.h"
+#include "OpenFoam/Rotations.h"
 #include "OpenFoam/SolverSetup.h"
 #include "PeriodicPairs.h"
 #include "Processes.h"
@@ -240,6 +241,12 @@ void vtkPolyMeshWriter::CheckDecomposition(int processes)
       "In a decomposed case, either all regions are meshes or all are zones: leave Zone Regions "
       "empty and Zone Borders at Face Zones, or write the case whole and run decomposePar.");
   }
+  if (this->SolverSetup != None && !this->RotationZones.empty())
+  {
+    throw cartesian::Error(cartesian::Fault::BadParameter,
+      "Rotating Zones: a piece does not know which boundaries are only in a zone. Nothing is "
+      "written: write the case whole and run decomposePar.");
+  }
   if (processes > 1 && this->Pieces != processes)
   {
     throw cartesian::Error(cartesian::Fault::BadParameter,
@@ -453,6 +460,8 @@ void vtkPolyMeshWriter::AddTables(cartesian::SolverSetup& setup) const
   setup.materials = cartesian::readMaterials(
     { this->MaterialRegions, this->Materials, this->MaterialDensities, this->MaterialHeatCapacities,
       this->MaterialConductivities, this->MaterialViscosities, this->HeatSources });
+  setup.rotations = cartesian::readRotations({ this->RotationZones, this->RotationSpeeds,
+    this->RotationOrigins, this->RotationAxes, this->StillBoundaries });
 }
 
 void vtkPolyMeshWriter::WriteSolverCase(const cartesian::PolyMeshFiles& files,
@@ -477,11 +486,11 @@ void vtkPolyMeshWriter::WriteSolverCase(const cartesian::PolyMeshFiles& files,
   const auto kept = cartesian::writeSolverCase(std::filesystem::path(this->FileName).parent_path(),
     this->MakeSetup(), meshes, flow, this->Pieces);
   const cartesian::SolverSetup setup = this->MakeSetup();
-  vtkOutputWindowDisplayText(
-    ("The case is written in " + std::filesystem::path(this->FileName).parent_path().string() +
-      ": run ./Allrun there. Speed " + cartesian::number(setup.speed) + " m/s, viscosity " +
-      cartesian::number(setup.viscosity) + " m2/s.\n")
-      .c_str());
+  vtkOutputWindowDisplayText(("The case is written in " +
+    std::filesystem::path(this->FileName).parent_path().string() + ": run ./Allrun there. Speed " +
+    cartesian::number(setup.speed) + " m/s, viscosity " + cartesian::number(setup.viscosity) +
+    " m2/s.\n" + cartesian::rotationsInWords(setup, meshes, flow))
+                               .c_str());
   if (!kept.empty())
   {
     vtkWarningMacro("Solver Setup: existing files are kept, "
@@ -575,4 +584,5 @@ void vtkPolyMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CourantNumber: " << this->CourantNumber << "\n";
   os << indent << "Conditions: " << this->ConditionBoundaries.size() << "\n";
   os << indent << "Materials: " << this->MaterialRegions.size() << "\n";
+  os << indent << "Rotations: " << this->RotationZones.size() << "\n";
 }

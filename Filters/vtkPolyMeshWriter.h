@@ -43,6 +43,7 @@
 
 #include "vtkWholeMeshWriter.h"
 
+#include <array>      // for points
 #include <filesystem> // for names of files
 #include <memory>     // for unique_ptr
 #include <string>     // for names of regions
@@ -74,6 +75,26 @@ struct SolverSetup;
       return;                                                                                      \
     }                                                                                              \
     this->Several[static_cast<std::size_t>(row)] = value;                                          \
+    this->Modified();                                                                              \
+  }
+
+/**
+ * The same of points or vectors.
+ */
+#define vtkTablePointsMacro(One, Several)                                                          \
+  void SetNumberOf##Several(int number)                                                            \
+  {                                                                                                \
+    this->Several.resize(number > 0 ? static_cast<std::size_t>(number) : 0);                       \
+    this->Modified();                                                                              \
+  }                                                                                                \
+  void Set##One(int row, double x, double y, double z)                                             \
+  {                                                                                                \
+    if (row < 0 || static_cast<std::size_t>(row) >= this->Several.size())                          \
+    {                                                                                              \
+      vtkErrorMacro("There is no row " << row << ": set the number of rows first.");               \
+      return;                                                                                      \
+    }                                                                                              \
+    this->Several[static_cast<std::size_t>(row)] = { x, y, z };                                    \
     this->Modified();                                                                              \
   }
 
@@ -253,6 +274,20 @@ public:
 
   ///@{
   /**
+   * Zones that turn, a table for Incompressible and Transient (Kernel/OpenFoam/Rotations.h): names or patterns of cellZones; the
+   * speed in revolutions per minute, right-handed about the axis; a point of the axis, m, and its direction; and boundaries in the
+   * zone that do not turn along: automatic (those that are outside it too), none, or names and patterns with spaces between
+   * them. Columns and errors as above. Not in a decomposed case.
+   */
+  vtkTableColumnMacro(RotationZone, RotationZones, std::string, const char*);
+  vtkTableColumnMacro(RotationSpeed, RotationSpeeds, double, double);
+  vtkTablePointsMacro(RotationOrigin, RotationOrigins);
+  vtkTablePointsMacro(RotationAxis, RotationAxes);
+  vtkTableColumnMacro(StillBoundary, StillBoundaries, std::string, const char*);
+  ///@}
+
+  ///@{
+  /**
    * A folder with templates of that set-up (Kernel/OpenFoam/Templates/README.md), which replace the library's own of the
    * same names; empty, the default: none. Error BadParameter, with nothing written, if it cannot be read, or if a file
    * or a placeholder in it does not exist.
@@ -306,6 +341,11 @@ protected:
   std::vector<double> MaterialConductivities;
   std::vector<double> MaterialViscosities;
   std::vector<double> HeatSources;
+  std::vector<std::string> RotationZones;
+  std::vector<double> RotationSpeeds;
+  std::vector<std::array<double, 3>> RotationOrigins;
+  std::vector<std::array<double, 3>> RotationAxes;
+  std::vector<std::string> StillBoundaries;
   int Iterations = 0;
   bool OverwriteSetup = false;
   std::string CaseTemplates;

@@ -25,9 +25,10 @@ namespace cartesian
 namespace
 {
 
-// Values of the property SolverSetup.
+// Values of the property SolverSetup, and of RegionsAs.
 constexpr int Incompressible = 1;
 constexpr int ConjugateHeat = 2;
+constexpr int Zones = 1;
 
 // Of the files and folders in a folder of the server, but hidden ones.
 std::set<std::string> namesIn(const std::string& folder, vtkSMSessionProxyManager* proxies)
@@ -89,11 +90,23 @@ bool hasThrough(const Output& mesh)
   return has("inlet") && has("outlet");
 }
 
-bool isAround(const Output& mesh)
+bool hasFieldData(const Output& mesh, const char* name)
 {
   return mesh.source->GetDataInformation(static_cast<unsigned int>(mesh.port))
            ->GetFieldDataInformation()
-           ->GetArrayInformation("FlowDirection") != nullptr;
+           ->GetArrayInformation(name) != nullptr;
+}
+
+// Zones of one fluid are one mesh.
+void proposeSolver(vtkSMProxy* writer, const Output& mesh)
+{
+  const bool areZones = hasFieldData(mesh, "RegionsAreZones");
+  const bool areMeshes = !areZones && categoriesOfMesh(mesh, Regions).size() > 1;
+  vtkSMPropertyHelper(writer, "SolverSetup").Set(areMeshes ? ConjugateHeat : Incompressible);
+  if (areZones)
+  {
+    vtkSMPropertyHelper(writer, "RegionsAs").Set(Zones);
+  }
 }
 
 }
@@ -111,10 +124,10 @@ void proposeSetup(vtkSMProxy* writer)
   const std::filesystem::path file = fileOf(writer);
   const std::filesystem::path written =
     isNew ? std::filesystem::u8path(inNewFolder(file.u8string())) : file;
-  if ((isAround(mesh) || hasThrough(mesh)) && !isCase(namesBeside(written, writer)))
+  if ((hasFieldData(mesh, "FlowDirection") || hasThrough(mesh)) &&
+    !isCase(namesBeside(written, writer)))
   {
-    vtkSMPropertyHelper(writer, "SolverSetup")
-      .Set(categoriesOfMesh(mesh, Regions).size() > 1 ? ConjugateHeat : Incompressible);
+    proposeSolver(writer, mesh);
   }
 }
 

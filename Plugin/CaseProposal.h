@@ -13,7 +13,8 @@ namespace cartesian
 // files and folders beside the one that is chosen.
 void proposeFolder(vtkSMProxy* writer);
 
-// A Solver Setup, if there is one that the mesh has all of: around bodies, or from a boundary called inlet to one called outlet.
+// A Solver Setup, if there is one that the mesh has all of: around bodies, or from a boundary called inlet to one called outlet;
+// and Regions As Zones, if they are zones of one fluid.
 // None where there is a case, which has its own.
 void proposeSetup(vtkSMProxy* writer);
 

@@ -118,4 +118,23 @@ std::vector<RegionMaterial> readMaterials(const MaterialColumns& columns)
   return rows;
 }
 
+std::vector<Rotation> readRotations(const RotationColumns& columns)
+{
+  const std::size_t count = columns.zones.size();
+  const Column<double> speeds("Rotation Speeds", columns.speeds, count);
+  const Column<std::array<double, 3>> origins("Rotation Origins", columns.origins, count);
+  const Column<std::array<double, 3>> axes("Rotation Axes", columns.axes, count);
+  const Column<std::string> still("Still Boundaries", columns.stillBoundaries, count);
+  std::vector<Rotation> rows(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    rows[i].zone = columns.zones[i];
+    speeds.read(i, rows[i].speed);
+    origins.read(i, rows[i].origin);
+    axes.read(i, rows[i].axis);
+    still.read(i, rows[i].stillBoundaries);
+  }
+  return rows;
+}
+
 }

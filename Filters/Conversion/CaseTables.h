@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables of conditions and materials, as vtkPolyMeshWriter has them: a vector for each column.
+// Tables of conditions, materials and rotations, as vtkPolyMeshWriter has them: a vector for each column.
 #pragma once
 
 #include "OpenFoam/ConditionRows.h"
 
+#include <array>
 #include <vector>
 
 namespace cartesian
@@ -32,8 +33,18 @@ struct MaterialColumns
   const std::vector<double>& heatSources;
 };
 
-// Both throw Error (BadParameter): a column of another length, or a word that is none of the choices.
+struct RotationColumns
+{
+  const std::vector<std::string>& zones;
+  const std::vector<double>& speeds;
+  const std::vector<std::array<double, 3>>& origins;
+  const std::vector<std::array<double, 3>>& axes;
+  const std::vector<std::string>& stillBoundaries;
+};
+
+// All throw Error (BadParameter): a column of another length, or a word that is none of the choices.
 std::vector<Condition> readConditions(const ConditionColumns& columns);
 std::vector<RegionMaterial> readMaterials(const MaterialColumns& columns);
+std::vector<Rotation> readRotations(const RotationColumns& columns);
 
 }

@@ -49,9 +49,12 @@ public:
     writeCells(output);
     writeCellData(output);
     writeBoundaries(output);
-    if (vtkAbstractArray* regions = grid_->GetFieldData()->GetAbstractArray("RegionNames"))
+    for (const char* name : { "RegionNames", "RegionsAreZones" })
     {
-      output->GetFieldData()->AddArray(regions);
+      if (vtkAbstractArray* regions = grid_->GetFieldData()->GetAbstractArray(name))
+      {
+        output->GetFieldData()->AddArray(regions);
+      }
     }
   }
 

@@ -70,8 +70,10 @@ std::vector<std::string> patchNames(
 void addPairs(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& boundaries,
   std::vector<FoamPatch>& patches)
 {
+  int number = 0;
   for (const PeriodicPair& pair : readPeriodicPairs(grid))
   {
+    ++number;
     for (std::size_t k = 0; k < 2; ++k)
     {
       const auto own = std::find(boundaries.begin(), boundaries.end(), pair.boundary[k]);
@@ -81,6 +83,7 @@ void addPairs(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& boundarie
         FoamPatch& patch = patches[static_cast<std::size_t>(own - boundaries.begin())];
         patch.partner = patches[static_cast<std::size_t>(other - boundaries.begin())].name;
         patch.motion = k == 0 ? pair.motion : pair.motion.reversed();
+        patch.pair = k == 0 ? number : -number;
       }
     }
   }
@@ -152,6 +155,7 @@ FoamRegions regionsOf(
   {
     result.ofCell.push_back(number[regions->GetValue(cell)]);
   }
+  result.areZones = grid->GetFieldData()->HasArray("RegionsAreZones");
   return result;
 }
 

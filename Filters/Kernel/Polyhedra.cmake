@@ -80,14 +80,17 @@ add_library(CartesianPolyhedra STATIC
   OpenFoam/HexahedralBox.cpp
   OpenFoam/LabelRuns.cpp
   OpenFoam/LeastSystem.cpp
+  OpenFoam/PeriodicDrive.cpp
   OpenFoam/PolyMeshFiles.cpp
   OpenFoam/PolyMeshReader.cpp
   OpenFoam/RefinementLevels.cpp
+  OpenFoam/Rotations.cpp
   OpenFoam/Rows.cpp
   OpenFoam/SolverSetup.cpp
   OpenFoam/Substances.cpp
   OpenFoam/SymmetryPlanes.cpp
   OpenFoam/ThirdEdges.cpp
+  OpenFoam/ZoneFaces.cpp
   Formats/AsciiNames.cpp
   Formats/EnSightFiles.cpp
   Formats/FacesOfCells.cpp

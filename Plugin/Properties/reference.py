@@ -27,6 +27,7 @@ UNITS = {
     r"in W\b(?!/)": "W",
     r"in m\b(?!2|3|/)": "m",
     r"in s\b": "s",
+    r"in rpm": "rpm",
 }
 
 

@@ -171,7 +171,7 @@ def missing_inlet(mesher, task):
     """Why no case could be written for the solver: that is known before the mesh is made."""
     solver = task.case.get("SolverSetup", "None")
     cases = [file for file in task.mesh if file.suffix == writing.CASE]
-    if any(flow != "automatic" for flow in task.case.get("ConditionFlows", [])):  # that drive it
+    if task.case.get("RotationZones") or any(flow != "automatic" for flow in task.case.get("ConditionFlows", [])):  # that drive it
         return []
     if solver == "None" or not cases or task.properties.get("Domain") == "Outside":  # whose sides have an inlet
         return []

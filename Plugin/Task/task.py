@@ -37,7 +37,7 @@
     [case]                     # of .foam files: the properties of their writer
     solver_setup = "Incompressible"
 
-    [[conditions]]             # any number: the tables of that writer's panel, which are these and [[materials]]
+    [[conditions]]             # any number: the tables of that writer's panel, which are these, [[materials]] and [[rotations]]
     boundary = "inlet"
     flow = "mass flow"
     flow_value = 0.02
@@ -317,7 +317,7 @@ def case_parameters():
 
 
 def case_collections():
-    """Tables of the case writer: conditions and materials."""
+    """Tables of the case writer: conditions, materials and rotations."""
     return collections(CASE_WRITER, "writers")
 
 

@@ -14,6 +14,7 @@ import foam
 from pieces import loops
 from pipeline import DATA, Messages
 from polyhedra import face_streams
+from rotors import fan
 from slab import slab
 
 
@@ -92,6 +93,17 @@ with tempfile.TemporaryDirectory() as temporary:
     for region, mesh in zip(("left", "right"), found["Internal"]):
         compare(mesh, foam.Files(case, region))
     assert set(found) == {"Internal", "inlet_cold", "side", "hot"}, list(found)
+
+    # A zone of the flow is one, too, which flow goes through: no boundary is between it and what is around it.
+    mesher = fan()
+    mesh = simple.OutputPort(mesher, "Mesh")
+    found = blocks(save(mesh, folder / "fan.cgns"))
+    case = foam.save(mesh, folder / "fan")
+    for region, data in zip(("fluid", "rotor"), found["Internal"]):
+        compare(data, foam.Files(case, region))
+    assert set(found) == {"Internal", "blade", "shaft", "inlet", "outlet", "sides"}, list(found)
+    text = (folder / "fan.cgns").read_bytes()
+    assert text.count(b"Abutting1to1") == 2 and b"fluid_to_rotor" in text and b"rotor_to_fluid" in text
 
     # What stood there stays, and nothing else, where the new one cannot be written.
     (folder / "folder.cgns").mkdir()

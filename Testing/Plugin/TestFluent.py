@@ -1,5 +1,6 @@
 """Meshes as Fluent files: OpenFOAM's fluent3DMeshToFoam makes the same mesh of them as we write for OpenFOAM."""
 
+import math
 import pathlib
 import re
 import sys
@@ -10,6 +11,7 @@ from paraview import simple
 
 import foam
 from pipeline import DATA, Messages
+from rotors import fan
 from slab import slab
 
 SURFACE = DATA / "kcl_exhaust_header_lumens.stl"
@@ -62,7 +64,19 @@ with tempfile.TemporaryDirectory() as temporary:
     for part, cells in zip(parts, (slice(0, parts[0].cells), slice(parts[0].cells, None))):
         assert np.allclose(volumes[cells], part.volumes(), rtol=1e-12, atol=0)
 
+    # A zone of the flow: fluid, as what is around it, with inner faces between them.
+    mesher = fan()
+    whole = foam.Files(foam.save(simple.OutputPort(mesher, "Mesh"), folder / "fan", RegionsAs="Zones"))
+    simple.SaveData(str(folder / "fan.msh"), simple.OutputPort(mesher, "Mesh"))
+    found, zones = converted(folder / "fan.msh", folder / "fan_of_fluent")
+    assert {("fluid", "fluid"), ("rotor", "fluid"), ("fluid_to_rotor", "interior"), ("interior_rotor", "interior")} < zones, zones
+    assert set(found.patches) == set(whole.patches) - {"shaft"} | {"shaft_fluid", "shaft_rotor"}, found.patches  # no wall between the two
+    assert math.isclose(found.volumes().sum(), whole.volumes().sum(), rel_tol=1e-9)
+    zone = (found.folder / "cellZones").read_text()
+    assert set(re.findall(r"(\w+)\s*\{\s*type\s+cellZone", zone)) == {"fluid", "rotor"}, zone[:2000]
+
     # Names that Fluent does not allow are told, with what the file has.
+    mesher = slab(0.23)
     mesher.BoundaryNames, mesher.BoundaryMergedNames = ["hot"], ["\u70ed"]
     with Messages() as said:
         simple.SaveData(str(folder / "named.msh"), mesher)

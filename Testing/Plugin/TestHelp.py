@@ -35,7 +35,7 @@ ours = {html_name(page.name) for page in HELP.glob("*.md")}
 assert ours <= set(pages), f"not in the Help: {ours - set(pages)}"
 
 # Labels of numbers that have a unit.
-OF_UNITS = r"Size|Meshlines|Points|Bounds|Lengths?|Thickness|Tolerance|Positions?|Center|Radius|Rotation|Angle|Orthogonality|Speed|" \
+OF_UNITS = r"Size|Meshlines|Points|Bounds|Lengths?|Thickness|Tolerance|Positions?|Center|Radius|Rotation(?! Axes)|Angle|Orthogonality|Speed|" \
     "Viscosity|Temperature|Memory"
 
 known = proxies()

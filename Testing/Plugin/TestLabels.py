@@ -111,7 +111,8 @@ case = {"NewFolder": 0, "FileType": "Binary", "RegionsAs": "Meshes", "ZoneRegion
         "CourantNumber": 1} | dict.fromkeys((
             "ConditionBoundaries", "ConditionFlows", "ConditionFlowValues", "ConditionHeats", "ConditionHeatValues",
             "ConditionTurbulenceIntensities", "ConditionTurbulenceLengths", "MaterialRegions", "Materials", "MaterialDensities",
-            "MaterialHeatCapacities", "MaterialConductivities", "MaterialViscosities", "HeatSources"), [])
+            "MaterialHeatCapacities", "MaterialConductivities", "MaterialViscosities", "HeatSources", "RotationZones", "RotationSpeeds",
+            "RotationOrigins", "RotationAxes", "StillBoundaries"), [])
 assert sorted(writer.ListProperties()) == sorted(["FileName", "Input", "NamesOfRegions", *case])
 assert {name: writer.GetPropertyValue(name) for name in case} == case
 for suffix, label in (("cgns", "CGNS Mesh"), ("msh", "Fluent Mesh"), ("case", "EnSight Mesh"), ("vtm", "Region Blocks"),

@@ -1,5 +1,6 @@
 """Conditions by boundary are rows in the dialog of the OpenFOAM writer: they reach the case, the task that is saved next, and a trace
-of it all, of which pvpython makes the same files."""
+of it all, of which pvpython makes the same files. A mesh with a zone is proposed as one mesh with a flow,
+and its zone turns."""
 
 import filecmp
 import pathlib
@@ -16,6 +17,14 @@ CONDITIONS = f"{IN_DIALOG}/PropertyCollection"
 ROW = f"{CONDITIONS}/container/1pqProxyWidget0"
 SELECT = 'from paraview import simple\nsimple.SetActiveSource(simple.FindSource("CartesianMesher1"))\n'
 BEGIN = "from paraview import smtrace\nsmtrace.start_trace()\n"
+FAN = """import sys
+sys.path.insert(0, {tests!r})
+from paraview import simple
+import rotors
+mesher = rotors.fan()
+simple.Show(simple.OutputPort(mesher, "Mesh"))
+simple.SetActiveSource(mesher)
+"""
 END = 'from paraview import smtrace\nopen("{file}", "w").write(smtrace.stop_trace())\n'
 
 with Screen() as screen:
@@ -37,3 +46,15 @@ with Screen() as screen:
     files = [path.relative_to(case) for path in case.rglob("*") if path.is_file()]
     same, other, missing = filecmp.cmpfiles(case, again, files, shallow=False)
     assert len(same) > 15 and not other and not missing, (other, missing)
+    rotor = screen.folder / "rotor"
+    rotor.mkdir()
+    screen.add_macro("fan", FAN.format(tests=str(pathlib.Path(sys.argv[1]) / "Testing" / "Plugin")))
+    turning = f"{IN_DIALOG}/PropertyCollection2"
+    row = f"{turning}/container/1pqProxyWidget0"
+    screen.play(script(macro("fan"), save_as(rotor / "case.foam"), event(f"{turning}/addItemButton", "activate"),
+        event(f"{row}/Zone/Zone", "set_string", "rotor"), event(f"{row}/Speed/DoubleLineEdit0", "set_string", "120"),
+        event(f"{DIALOG}/widget/OKButton", "activate")))
+    zones = (rotor / "constant" / "polyMesh" / "cellZones").read_text()
+    assert "fluid" in zones and "rotor" in zones and "run simpleFoam" in (rotor / "Allrun").read_text(), zones
+    properties = (rotor / "constant" / "MRFProperties").read_text()
+    assert "cellZone        rotor;" in properties and "axis            (0 0 1);" in properties and "// rad/s: 120 rpm" in properties, properties

@@ -156,7 +156,8 @@ private:
       const std::string& first = cellZones_[pair.first].name;
       faceZones_.push_back(pair.first == pair.second
           ? FaceZone{ "interior_" + first, Interior, std::move(faces) }
-          : FaceZone{ first + "_to_" + cellZones_[pair.second].name, Wall, std::move(faces) });
+          : FaceZone{ first + "_to_" + cellZones_[pair.second].name,
+              regions_.areZones ? Interior : Wall, std::move(faces) });
     }
   }
 
@@ -262,7 +263,8 @@ private:
     };
     for (const CellZone& cells : cellZones_)
     {
-      const bool isSolid = regionCount() > 1 && !isFluid(cells.name, cells.patches);
+      const bool isSolid =
+        regionCount() > 1 && !regions_.areZones && !isFluid(cells.name, cells.patches);
       write(isSolid ? "solid" : "fluid", cells.name);
     }
     for (const FaceZone& faces : faceZones_)

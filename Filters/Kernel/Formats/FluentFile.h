@@ -20,7 +20,8 @@ struct ChangedName
 
 // Each region is a zone of cells (one called "cells", if there are none), fluid or, where there are several and this
 // one is not fluid (isFluid), solid. Inner faces are a zone "interior" for each; faces between two
-// regions one of type wall, <region>_to_<other>. Each patch is a zone with its name, by its kind wall, symmetry,
+// regions one of type wall, <region>_to_<other>. Regions that are zones of one fluid are fluid, and those faces of type
+// interior. Each patch is a zone with its name, by its kind wall, symmetry,
 // velocity-inlet or pressure-outlet (which other openings are too); one of several regions is divided,
 // <patch>_<region>, as faces of a zone are of one zone of cells. Letters that Fluent does not allow in names
 // are written as others (asciiName), other characters become underscores, and all names differ. Returns the names that

@@ -41,6 +41,11 @@ public:
   void dictionary(const std::filesystem::path& path, const std::string& text,
     const char* className = "dictionary");
 
+  bool has(const std::filesystem::path& path) const
+  {
+    return std::filesystem::exists(folder_ / path);
+  }
+
   // The start of a region's field, in each piece. `condition`: a patch's entries, such as "type zeroGradient;"; a patch of
   // a constraint type, such as symmetry, has that type alone.
   void field(const MeshOfCase& mesh, const FieldOfCase& field,

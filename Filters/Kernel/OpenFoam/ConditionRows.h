@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a user says of boundaries and regions of a case: rows of two tables, all in SI units.
+// What a user says of boundaries, regions and zones of a case: rows of three tables, all in SI units except rpm.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -58,6 +59,18 @@ struct RegionMaterial
   double conductivity = -1; // W/(m K)
   double viscosity = -1;    // kinematic, m2/s, of a fluid; -1 and ByKind: that of the set-up
   double heatSource = 0;    // W, in all of the region
+};
+
+// Of the zones with a name, or of a pattern, as above: they turn, as seen by those outside.
+struct Rotation
+{
+  std::string zone;
+  double speed = 0; // revolutions per minute, right-handed about the axis; not 0
+  std::array<double, 3> origin = { 0, 0, 0 }; // a point of the axis, m
+  std::array<double, 3> axis = { 0, 0, 1 };   // of any length but 0
+  // Boundaries in the zone that do not turn along: "none", or names and patterns, with spaces between them. "automatic":
+  // those that are outside the zone too.
+  std::string stillBoundaries = "automatic";
 };
 
 }

@@ -3,6 +3,8 @@
 
 #include "Base/Error.h"
 #include "OpenFoam/Conditions.h"
+#include "OpenFoam/PeriodicDrive.h"
+#include "OpenFoam/Rotations.h"
 #include "OpenFoam/Rows.h"
 
 namespace cartesian
@@ -56,6 +58,7 @@ struct Flow
   const MeshOfCase& mesh;
   const std::optional<FlowAround>& around;
   Conditions conditions;
+  std::vector<TurningZone> turning;
 };
 
 void writePressure(const Flow& flow, CaseFiles& files)
@@ -87,6 +90,10 @@ void writeVelocity(const Flow& flow, CaseFiles& files)
     if (const auto given = flow.conditions.velocity(patch))
     {
       return *given;
+    }
+    if (const auto turning = velocityOutside(flow.turning, patch))
+    {
+      return *turning;
     }
     switch (roleOf(patch, flow.around))
     {
@@ -188,7 +195,8 @@ void writeFlowCase(const SolverSetup& setup, const MeshOfCase& mesh,
 {
   const bool isLaminar = setup.turbulence == Turbulence::Laminar;
   const bool isTransient = setup.solver == Solver::Transient;
-  const Flow flow{ setup, mesh, around, { setup, mesh, around } };
+  const Flow flow{ setup, mesh, around, { setup, mesh, around },
+    turningZones(setup, mesh, around) };
   writeVelocity(flow, files);
   writePressure(flow, files);
   if (!isLaminar)
@@ -197,6 +205,8 @@ void writeFlowCase(const SolverSetup& setup, const MeshOfCase& mesh,
   }
   files.dictionary("constant/transportProperties",
     files.text("flow/transportProperties", { { "viscosity", number(setup.viscosity) } }));
+  writeRotations(flow.turning, files);
+  writeDrive(setup, mesh, around, files);
   files.dictionary("constant/turbulenceProperties", turbulenceProperties(setup, files));
   const std::string functions =
     (around ? forcesOn(namesOf(mesh, PatchRole::Wall, around), setup, *around, files)

@@ -14,6 +14,7 @@ struct FoamRegions
   std::vector<std::string> names;         // different OpenFOAM words
   std::vector<std::uint32_t> ofCell;      // index of names
   std::vector<std::uint32_t> beyond = {}; // those of cells behind patches between processes
+  bool areZones = false;                  // of one fluid, which flows from one into the other
 };
 
 // What lies between a zone and the rest of its mesh.

@@ -7,6 +7,7 @@
 #include "OpenFoam/LeastSystem.h"
 #include "OpenFoam/RefinementLevels.h"
 #include "OpenFoam/SymmetryPlanes.h"
+#include "OpenFoam/ZoneFaces.h"
 
 #include <algorithm>
 #include <array>
@@ -312,8 +313,8 @@ void PolyMeshFiles::write(const FoamMesh& mesh, const std::string& region, Execu
     fs::create_directories(unfinished(polyMesh));
     const FoamBoundary boundary =
       replaces ? FoamBoundary(polyMesh / "boundary") : FoamBoundary(withSymmetries(mesh));
-    written_.push_back(
-      { polyMesh, replaces, region, withAreas(mesh, boundary.typed(mesh.patches)) });
+    written_.push_back({ polyMesh, replaces, region, withAreas(mesh, boundary.typed(mesh.patches)),
+      facesOfZones(mesh) });
     writeFiles(mesh, boundary, { unfinished(polyMesh), location.string(), format_ }, execution);
   });
 }
@@ -361,7 +362,7 @@ std::vector<MeshOfCase> PolyMeshFiles::meshes() const
   for (const Written& written : written_)
   {
     const bool flows = written.region.empty() || isFluid(written.region, written.patches);
-    result.push_back({ written.region, flows, written.patches });
+    result.push_back({ written.region, flows, written.patches, written.zones });
   }
   return result;
 }

@@ -109,6 +109,7 @@ private:
     bool replaces; // a mesh that we wrote, of the same patches
     std::string region;
     std::vector<FoamPatch> patches; // each with its type
+    std::vector<ZoneOfMesh> zones;
   };
 
   void writeSystemOf(const std::string& region) const;

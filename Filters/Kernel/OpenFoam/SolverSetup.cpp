@@ -7,6 +7,8 @@
 #include "OpenFoam/Conditions.h"
 #include "OpenFoam/FlowCase.h"
 #include "OpenFoam/HeatCase.h"
+#include "OpenFoam/PeriodicDrive.h"
+#include "OpenFoam/Rotations.h"
 #include "OpenFoam/Substances.h"
 
 #include <algorithm>
@@ -33,13 +35,16 @@ PatchRole roleOfSide(int side, const FlowAround& around)
                                      : PatchRole::Slip;
 }
 
-void requireEnds(const MeshOfCase& mesh, const std::optional<FlowAround>& around)
+// Where a zone drives the flow, there may be outlets alone, which let it in and out.
+void requireEnds(
+  const SolverSetup& setup, const MeshOfCase& mesh, const std::optional<FlowAround>& around)
 {
   const std::string of = mesh.region.empty() ? "" : " of region " + mesh.region;
   for (const auto& [role, name] :
     { std::pair(PatchRole::Inlet, "inlet"), std::pair(PatchRole::Outlet, "outlet") })
   {
-    if (namesOf(mesh, role, around).empty())
+    const bool isDriven = role == PatchRole::Inlet && !setup.rotations.empty();
+    if (!isDriven && namesOf(mesh, role, around).empty())
     {
       throw Error(Fault::BadParameter,
         std::string("Solver Setup: no boundary") + of + " is an " + name +
@@ -123,15 +128,18 @@ void requireSuitable(const SolverSetup& setup, const std::vector<MeshOfCase>& me
       areRegions(meshes)
         ? "Solver Setup is " + name +
           ", which needs a single mesh, but there are several "
-          "regions. Nothing is written: choose Conjugate Heat, or set Regions As to Zones."
+          "regions. Nothing is written: choose Conjugate Heat, or set Regions As to Zones, or name "
+          "those that are zones in Zone "
+          "Regions."
         : "Solver Setup is Conjugate Heat, which needs several regions, but there is only one. "
           "Nothing is written: choose Incompressible, or set Regions From.");
   }
+  requireSuitableRotations(setup, meshes);
   for (const MeshOfCase& mesh : meshes)
   {
-    if (mesh.isFluid && !hasFlowConditions(setup, mesh))
+    if (mesh.isFluid && !hasFlowConditions(setup, mesh) && !drivenAlong(mesh, around))
     {
-      requireEnds(mesh, around);
+      requireEnds(setup, mesh, around);
     }
   }
   requireSuitableConditions(setup, meshes, around);

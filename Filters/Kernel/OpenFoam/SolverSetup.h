@@ -66,6 +66,14 @@ struct SolverSetup
   std::filesystem::path templates = {}; // a folder (CaseTemplates.h); empty: the library's own
   std::vector<Condition> conditions = {};
   std::vector<RegionMaterial> materials = {}; // of Conjugate Heat
+  std::vector<Rotation> rotations = {};       // of the others
+};
+
+// A cellZone of a mesh.
+struct ZoneOfMesh
+{
+  std::string name;
+  std::vector<std::size_t> faces; // of each patch: how many are of cells of the zone
 };
 
 // A mesh of the case as it was written.
@@ -73,7 +81,8 @@ struct MeshOfCase
 {
   std::string region; // empty: the case has one mesh
   bool isFluid = true;
-  std::vector<FoamPatch> patches; // each has a type
+  std::vector<FoamPatch> patches;     // each has a type
+  std::vector<ZoneOfMesh> zones = {}; // of a whole mesh
 };
 
 // The flow around bodies in a box (Surface/FlowDomain.h).
@@ -109,7 +118,7 @@ std::vector<std::string> namesOf(
 void requireInRange(const SolverSetup& setup);
 
 // Throws Error (BadParameter) if the meshes do not suit the solver: no inlet, no outlet, several regions instead of
-// one or vice versa, rows that do not fit (Conditions.h, Substances.h).
+// one or vice versa, rows that do not fit (Conditions.h, Substances.h, Rotations.h).
 void requireSuitable(const SolverSetup& setup, const std::vector<MeshOfCase>& meshes,
   const std::optional<FlowAround>& around);
 

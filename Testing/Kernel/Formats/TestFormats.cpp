@@ -89,6 +89,21 @@ TEST_F(Formats, FluentTakesRegionsForFluidByTheirNamesToo)
     << text;
 }
 
+// A rotor and the air around it: both are fluid, and nothing is between them.
+TEST_F(Formats, FluentHasInnerFacesBetweenZonesOfOneFluid)
+{
+  FoamRegions regions{ { "fluid", "rotor" }, { 1, 0 } };
+  regions.areZones = true;
+  writeFluent(twoTetrahedra(), regions, folder / "a.msh");
+  const std::string text = read("a.msh");
+  EXPECT_NE(text.find("(13 (4 1 1 2 5)("), std::string::npos) << text;
+  EXPECT_NE(
+    text.find(
+      "(45 (2 fluid fluid)())\n(45 (3 fluid rotor)())\n(45 (4 interior fluid_to_rotor)())\n"),
+    std::string::npos)
+    << text;
+}
+
 TEST_F(Formats, FluentTellsWhichNamesItHadToChange)
 {
   FoamMesh mesh = twoTetrahedra();

@@ -3,10 +3,13 @@
 #include "Base/Error.h"
 #include "OpenFoam/FrontalArea.h"
 #include "OpenFoam/LeastSystem.h"
+#include "OpenFoam/Rotations.h"
 #include "OpenFoam/SolverSetup.h"
+#include "OpenFoam/ZoneFaces.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -269,6 +272,90 @@ TEST_F(SolverCase, TransientFlowHasTimes)
   EXPECT_THROW(writeSolverCase(folder, setup, duct, {}, 1), Error);
 }
 
+// A wall that is outside the zone too stays still, unless the user says otherwise: then it turns there as well.
+TEST_F(SolverCase, ZonesTurnWithTheWallsThatAreOnlyInThem)
+{
+  duct.front().patches.push_back(patch("blade", "wall"));
+  duct.front().patches.push_back({ "shaft", 4, "wall" });
+  duct.front().zones = { { "rotor", { 0, 0, 1, 0, 1, 1, 2 } },
+    { "fluid", { 1, 1, 0, 1, 0, 0, 2 } } };
+  setup.rotations = { { "rot*", 60, { 1, 2, 3 }, { 0, -1, 0 } } };
+  writeSolverCase(folder, setup, duct, {}, 1);
+  const std::string properties = read("constant/MRFProperties");
+  for (const char* entry :
+    { "cellZone        rotor;", "nonRotatingPatches (vent shaft);", "origin          (1 2 3);",
+      "axis            (0 -1 0);", "omega           6.28319; // rad/s: 60 rpm" })
+  {
+    EXPECT_NE(properties.find(entry), std::string::npos) << entry << properties;
+  }
+  EXPECT_EQ(properties.find("fluid"), std::string::npos) << properties;
+  EXPECT_NE(read("0/U").find("shaft { type noSlip; }"), std::string::npos);
+  const std::string words = rotationsInWords(setup, duct, {});
+  EXPECT_NE(words.find("turn along: blade; that stay still: vent, shaft."), std::string::npos)
+    << words;
+
+  setup.overwrites = true;
+  setup.rotations.front().stillBoundaries = "none";
+  writeSolverCase(folder, setup, duct, {}, 1);
+  EXPECT_NE(read("constant/MRFProperties").find("nonRotatingPatches (vent);"), std::string::npos);
+  EXPECT_NE(read("0/U").find(
+              "shaft { type rotatingWallVelocity; origin (1 2 3); axis (0 -1 0); omega 6.28319;"),
+    std::string::npos);
+  EXPECT_NE(read("0/U").find("blade { type noSlip; }"), std::string::npos);
+
+  setup.rotations.front().stillBoundaries = "bl* wall";
+  EXPECT_NE(
+    rotationsInWords(setup, duct, {}).find("turn along: shaft; that stay still: vent, blade."),
+    std::string::npos);
+
+  // What turned before does not turn in a case without rows.
+  setup.rotations.clear();
+  writeSolverCase(folder, setup, duct, {}, 1);
+  EXPECT_EQ(read("constant/MRFProperties").find("cellZone"), std::string::npos);
+}
+
+TEST_F(SolverCase, RotationsThatDoNotFitAreRefusedByName)
+{
+  const auto expectRefusalOf = [&](std::vector<Rotation> rows, const std::string& words) {
+    setup.rotations = std::move(rows);
+    expectRefusal(words);
+  };
+  expectRefusalOf({ { "rotor", 1 } }, "the mesh has no zones");
+  duct.front().zones = { { "rotor", { 0, 0, 0, 1, 0 } } };
+  expectRefusalOf({ { "Rotor", 1 } }, "no zone is called \"Rotor\", only rotor");
+  expectRefusalOf({ { "rotor", 1 }, { "rotor", 2 } }, "two rows are for rotor");
+  expectRefusalOf({ { "rotor" } }, "zone rotor has a speed of 0");
+  expectRefusalOf({ { "rotor", NAN } }, "Rotation Speeds: of zone rotor is nan");
+  expectRefusalOf({ { "rotor", 1, { 0, 0, 0 }, { 0, 0, 0 } } }, "an axis of length 0");
+  expectRefusalOf({ { "rotor", 1, { 0, 0, 0 }, { 0, 0, 1 }, "wall casing" } },
+    "zone rotor: no boundary is called \"casing\", only inlet");
+  setup.solver = Solver::ConjugateHeat;
+  duct.front().region = "gas";
+  expectRefusalOf({ { "rotor", 1 } }, "in Incompressible and Transient only");
+}
+
+// A rotor drives the flow: it comes in through what is open, as it goes out.
+TEST_F(SolverCase, ARotorNeedsNoInlet)
+{
+  duct.front().patches[0].name = "opening";
+  expectRefusal("is an inlet");
+  duct.front().zones = { { "rotor", { 0, 0, 0, 1, 0 } } };
+  setup.rotations = { { "rotor", 1 } };
+  EXPECT_TRUE(writeSolverCase(folder, setup, duct, {}, 1).empty());
+}
+
+TEST(ZoneFaces, AreThoseOfTheZonesCells)
+{
+  FoamMesh mesh = cubes({ { 0, 0, 0 }, { 3, 0, 0 } });
+  mesh.patches = { { "a", 5 }, { "both", 3 }, { "b", 4 } };
+  mesh.zones = { { "none", {} }, { "second", { 1 } } };
+  const std::vector<ZoneOfMesh> zones = facesOfZones(mesh);
+  ASSERT_EQ(zones.size(), 2U);
+  EXPECT_EQ(zones[0].faces, (std::vector<std::size_t>{ 0, 0, 0 }));
+  EXPECT_EQ(zones[1].name, "second");
+  EXPECT_EQ(zones[1].faces, (std::vector<std::size_t>{ 0, 2, 4 }));
+}
+
 // What is not replaced stays; a user's text is as it is, but for its placeholders.
 TEST_F(SolverCase, OwnTemplatesReplaceTheLibrarys)
 {
@@ -294,8 +381,8 @@ TEST_F(SolverCase, WhatIsNoTemplateIsRefusedBeforeAnythingIsWritten)
     "flow/controlDict has the placeholder @speed@, which has no value there. Those that "
     "have: @functions@, @iterations@.");
   fs::rename(setup.templates / "flow/controlDict", setup.templates / "controlDict");
-  expectRefusal(
-    "controlDict is no template. Templates are: Allrun, flow/commands, flow/controlDict");
+  expectRefusal("controlDict is no template. Templates are: Allrun, flow/MRFProperties, "
+                "flow/commands, flow/controlDict");
 }
 
 // Each interface is looked at once, and solids whose heat passes through walls alone.
