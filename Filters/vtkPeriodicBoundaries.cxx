@@ -43,7 +43,7 @@ int vtkPeriodicBoundaries::RequestData(
     spec.turns = this->Motion == Rotation;
     std::copy_n(this->Axis, 3, spec.axis.begin());
     std::copy_n(this->AxisOrigin, 3, spec.centre.begin());
-    spec.keepsFaces = this->Faces == AsTheyAre;
+    spec.keepsFaces = this->Faces == Own;
     const auto [areas, farthest] =
       cartesian::makePeriodic(grid, spec, vtkUnstructuredGrid::GetData(output), execution);
     if (spec.keepsFaces && std::abs(areas[0] - areas[1]) > SameArea * areas[0])

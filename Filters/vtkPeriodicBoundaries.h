@@ -5,7 +5,7 @@
  *
  * Input: a mesh of vtkCartesianMesher or vtkFlatMesh. Output: the same mesh, whose boundaries First and Second are a periodic pair: of
  * type cyclic, where each face of one has one of the other with corners in the same places, moved or turned; or of type
- * cyclicAMI, with the faces that they have. For several pairs, place several of these filters behind each other.
+ * cyclicAMI, with faces of their own and the same area. For several pairs, place several of these filters behind each other.
  *
  * Both boundaries must be flat, and one the other moved, or turned around an axis. Faces are divided where the other side has
  * edges. Points of the second side move along it to those of the first, by a quarter of the distance to the next at most; cells behind
@@ -73,12 +73,13 @@ public:
   enum FacesOfPairs
   {
     Same = 0,
-    AsTheyAre = 1
+    Own = 1
   };
 
   ///@{
   /**
-   * Same (0, the default): of type cyclic; AsTheyAre (1): of type cyclicAMI, and nothing of the mesh changes.
+   * Same (0, the default): of type cyclic; Own (1): of type cyclicAMI, with the faces that each has; only the
+   * outline of the second moves onto that of the first, so that their areas are the same.
    */
   vtkSetMacro(Faces, int);
   vtkGetMacro(Faces, int);

@@ -232,7 +232,7 @@ void vtkPolyMeshWriter::WritePiece(vtkUnstructuredGrid* piece, int number)
   this->TryToAdd(piece, number);
 }
 
-void vtkPolyMeshWriter::CheckDecomposition(int processes)
+void vtkPolyMeshWriter::CheckDecomposition(vtkUnstructuredGrid* grid, int processes)
 {
   this->CheckNumbers();
   if (!this->ZoneRegions.empty() || this->ZoneBorders == CyclicAMI)
@@ -246,6 +246,11 @@ void vtkPolyMeshWriter::CheckDecomposition(int processes)
     throw cartesian::Error(cartesian::Fault::BadParameter,
       "Rotating Zones: a piece does not know which boundaries are only in a zone. Nothing is "
       "written: write the case whole and run decomposePar.");
+  }
+  if (!cartesian::readPeriodicPairs(grid).empty())
+  {
+    throw cartesian::Error(cartesian::Fault::BadParameter,
+      "A decomposed case cannot have periodic boundaries: set Pieces to 1 and run decomposePar.");
   }
   if (processes > 1 && this->Pieces != processes)
   {
@@ -268,7 +273,7 @@ void vtkPolyMeshWriter::AddPiece(vtkUnstructuredGrid* grid, int number)
 {
   if (number == 0)
   {
-    this->CheckDecomposition(1);
+    this->CheckDecomposition(grid, 1);
     this->SoFar = std::make_unique<PiecesSoFar>();
   }
   if (!this->SoFar || this->SoFar->pieces.size() != static_cast<std::size_t>(number))
@@ -330,7 +335,7 @@ void vtkPolyMeshWriter::WriteOwnPiece(vtkUnstructuredGrid* grid)
   cartesian::Execution execution(0);
   cartesian::FoamPiece piece;
   OnAll(processes, [&] {
-    this->CheckDecomposition(count);
+    this->CheckDecomposition(grid, count);
     piece = cartesian::foamPiece(grid, execution);
   });
   this->UpdateProgress(0.4);

@@ -362,7 +362,7 @@ private:
   void TryToAdd(vtkUnstructuredGrid* grid, int number);
   void FinishPieces(vtkUnstructuredGrid* grid);
 
-  void CheckDecomposition(int processes);
+  void CheckDecomposition(vtkUnstructuredGrid* grid, int processes);
   void CheckNumbers();
   double ScaleOfMesh(); // Scale, or what 0 stands for
   cartesian::SolverSetup MakeSetup();

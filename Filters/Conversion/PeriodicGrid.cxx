@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace cartesian
 {
@@ -24,7 +23,7 @@ namespace
 {
 
 // Angles that divide a turn up to this are meant to.
-constexpr double SameAngle = 1e-6; // degrees
+constexpr double SameAngle = 1e-4; // degrees: surfaces in single precision are no better
 
 struct Side
 {
@@ -87,26 +86,26 @@ public:
       boundaries_.add(pair_.boundary[k], spec_.names[k], spec_.keepsFaces ? "cyclicAMI" : "cyclic");
     }
     output->GetFieldData()->ShallowCopy(grid_->GetFieldData());
-    if (spec_.keepsFaces)
-    {
-      output->CopyStructure(grid_);
-      output->GetCellData()->ShallowCopy(grid_->GetCellData());
-      matched_.cells = std::move(mesh_.cells);
-      matched_.source.resize(boundaryOf_.size());
-      std::iota(matched_.source.begin(), matched_.source.end(), 0);
-    }
-    else
-    {
-      match();
-      writeCells(output);
-    }
+    match();
+    writeCells(output);
     boundaries_.write(rows(), output);
     addPeriodicPair(pair_, output);
   }
 
   PeriodicResult result() const
   {
-    return { { norm(areas_[0]) / 2, norm(areas_[1]) / 2 }, matched_.farthest };
+    PeriodicResult result{ {}, matched_.farthest };
+    for (std::size_t face = 0; face < matched_.source.size(); ++face)
+    {
+      for (std::size_t k = 0; k < 2; ++k)
+      {
+        if (boundaryOf_[matched_.source[face]] == pair_.boundary[k])
+        {
+          result.areas[k] += norm(doubledArea(matched_.cells, face, matched_.points)) / 2;
+        }
+      }
+    }
+    return result;
   }
 
 private:
@@ -160,7 +159,8 @@ private:
   {
     try
     {
-      matched_ = matchSides(mesh_.cells, mesh_.points, sides_, pair_.motion);
+      matched_ = matchSides(mesh_.cells, mesh_.points, sides_, pair_.motion,
+        spec_.keepsFaces ? FacesOfPair::Own : FacesOfPair::Same);
     }
     catch (const Error& error)
     {

@@ -35,6 +35,7 @@ struct FoamPatch
   std::string
     partner = {}; // that patch is the other of a pair: a cyclicAMI, unless the type is cyclic
   SideMotion motion = {}; // ... with a type: from this patch to that one
+  int pair = 0;           // ... the number of the pair, from one; negative on its second side
   double area = 0;        // m2; 0: not known, as of a piece
 };
 

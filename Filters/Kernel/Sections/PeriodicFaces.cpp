@@ -2,6 +2,7 @@
 #include "Sections/PeriodicFaces.h"
 
 #include "Base/Error.h"
+#include "Sections/OutlineFitting.h"
 #include "Sections/PlaneOverlay.h"
 #include "Sections/SidePlane.h"
 
@@ -73,17 +74,24 @@ public:
     isOnSide_.resize(points.size() / 3);
   }
 
-  PeriodicFaces run()
+  PeriodicFaces run(FacesOfPair which)
   {
     ofSide_[0] = planeSide(
       cells_, sides_[0], false, [&](std::uint32_t p) { return plane_.placeOf(point(p)); });
     ofSide_[1] = planeSide(cells_, sides_[1], true,
       [&](std::uint32_t p) { return plane_.placeOf(motion_.before(point(p))); });
-    overlay_ = overlay(ofSide_[0].polygons, ofSide_[1].polygons);
-    requireMatch();
-    placeVertices();
-    listChains();
-    listParts();
+    if (which == FacesOfPair::Own)
+    {
+      fit();
+    }
+    else
+    {
+      overlay_ = overlay(ofSide_[0].polygons, ofSide_[1].polygons);
+      requireMatch();
+      placeVertices();
+      listChains();
+      listParts();
+    }
     writeCells();
     return std::move(result_);
   }
@@ -136,8 +144,7 @@ private:
         points[1] = ofSide_[1].pointOf[vertex.point[1]];
         if (points[1] != points[0])
         {
-          result_.farthest = std::max(result_.farthest, norm(minus(beyond, point(points[1]))));
-          place(points[1], beyond);
+          moveTo(points[1], beyond);
         }
       }
       else
@@ -146,6 +153,42 @@ private:
         points[1] = aside > PeriodicSpec::Same * plane_.size() ? addPoint(beyond) : points[0];
       }
       pointsAt_.push_back(points);
+    }
+  }
+
+  void moveTo(std::uint32_t p, const Vector& to)
+  {
+    result_.farthest = std::max(result_.farthest, norm(minus(to, point(p))));
+    place(p, to);
+  }
+
+  // The second side's outline onto the first's.
+  void fit()
+  {
+    const FittedOutline fitted = fitOutline(ofSide_[0].polygons, ofSide_[1].polygons);
+    const std::vector<PlanePlace>& before = ofSide_[1].polygons.points;
+    const std::vector<PlanePlace>& after = fitted.polygons.points;
+    std::vector<std::uint32_t>& pointOf = ofSide_[1].pointOf;
+    for (std::size_t p = 0; p < after.size(); ++p)
+    {
+      const Vector to = motion_.of(plane_.pointAt(after[p]));
+      if (p >= before.size())
+      {
+        pointOf.push_back(addPoint(to));
+      }
+      else if (after[p] != before[p])
+      {
+        moveTo(pointOf[p], to);
+      }
+    }
+    for (const auto& [ends, inserted] : fitted.inserted)
+    {
+      std::vector<std::uint32_t>& points = chains_[{ pointOf[ends[0]], pointOf[ends[1]] }];
+      for (const std::uint32_t p : inserted)
+      {
+        points.push_back(pointOf[p]);
+      }
+      isOnSide_[pointOf[ends[0]]] = isOnSide_[pointOf[ends[1]]] = true;
     }
   }
 
@@ -291,9 +334,9 @@ private:
 }
 
 PeriodicFaces matchSides(const CellFaces& cells, const std::vector<double>& points,
-  const std::array<std::vector<std::size_t>, 2>& sides, const SideMotion& motion)
+  const std::array<std::vector<std::size_t>, 2>& sides, const SideMotion& motion, FacesOfPair which)
 {
-  return SideMatching(cells, points, sides, motion).run();
+  return SideMatching(cells, points, sides, motion).run(which);
 }
 
 }

@@ -24,13 +24,19 @@ struct PeriodicSpec
   static constexpr double Same = 1e-9;
 };
 
+enum class FacesOfPair
+{
+  Same, // of both sides
+  Own   // of each; only the outlines become the same, and so the areas
+};
+
 struct PeriodicFaces
 {
   CellFaces cells;            // the same cells, whose corners are counter-clockwise from outside
   std::vector<double> points; // three coordinates each; those of the mesh, then new ones
   std::vector<std::size_t> source; // of each face, that of the mesh which it is, or is a part of
 
-  // Pairs of faces, of the first side and of the second. The first corners are the same place; further ones follow in opposite
+  // Pairs of the same faces, of the first side and of the second. The first corners are the same place; further ones follow in opposite
   // order.
   std::vector<std::array<std::size_t, 2>> pairs;
 
@@ -40,6 +46,7 @@ struct PeriodicFaces
 // `sides`: faces of `cells`, with corners counter-clockwise from outside. `motion`: from the first to the second side. Throws Error
 // (BadMesh): a side is not flat, or they are not the same.
 PeriodicFaces matchSides(const CellFaces& cells, const std::vector<double>& points,
-  const std::array<std::vector<std::size_t>, 2>& sides, const SideMotion& motion);
+  const std::array<std::vector<std::size_t>, 2>& sides, const SideMotion& motion,
+  FacesOfPair which = FacesOfPair::Same);
 
 }
