@@ -3,6 +3,7 @@
 
 #include "FoamFromVTK.h"
 #include "Formats/FluentFile.h"
+#include "OpenFoam/CyclicFaces.h"
 
 #include "vtkObjectFactory.h"
 
@@ -10,6 +11,7 @@ vtkStandardNewMacro(vtkFluentMeshWriter);
 
 void vtkFluentMeshWriter::WriteMesh(cartesian::WholeMesh& whole)
 {
+  cartesian::orderCyclicFaces(whole.mesh);
   std::string changes;
   for (const cartesian::ChangedName& name :
     cartesian::writeFluent(whole.mesh, whole.regions, this->FileName))

@@ -114,6 +114,20 @@ assert "cyclicAMI" in text and "transform       translational" in text and foam.
 areas = foam.Files(folder).areas()
 assert math.isclose(areas["xMin"], areas["xMax"], rel_tol=1e-9), areas
 
+# Other solvers' files.
+simple.SaveData(f"{temporary.name}/both.msh", both)
+text = pathlib.Path(f"{temporary.name}/both.msh").read_text()
+kinds = dict(re.findall(r"\(45 \(\d+ (\S+) (\S+)\)", text))
+assert {"periodic", "shadow"} < set(kinds), kinds
+for first, count, own, other, rows in re.findall(r"\(18 \((\w+) (\w+) (\w+) (\w+)\)\(([^()]*)\)\)", text):
+    assert int(count, 16) == len(rows.split()) // 2 and int(own, 16) + 1 == int(other, 16), (first, count, own, other)
+assert len(re.findall(r"\(18 ", text)) == 2
+foam.control(f"{temporary.name}/fluent", 1)
+assert "FOAM FATAL" not in foam.run(f"{temporary.name}/fluent", "fluent3DMeshToFoam", f"{temporary.name}/both.msh")
+with Messages() as said:
+    simple.SaveData(f"{temporary.name}/both.cgns", both)
+assert 'periodic boundaries "xMin" and "xMax" are ordinary ones' in str(said), str(said)
+
 
 def ring(angle, parts=24):
     """From a radius of 1 to 2, 1 high, around z: its ends and its walls."""
@@ -143,7 +157,7 @@ box = around(spheres, CellSize=0.2)
 for mesh, properties, words in ((box, dict(FirstBoundary="left", SecondBoundary="xMax"), 'There is no boundary "left"'),
                                 (box, dict(FirstBoundary="xMax", SecondBoundary="xMax"), "two different boundaries"),
                                 (box, dict(FirstBoundary="xMin", SecondBoundary="boundary_0"), "differ"),
-                                (box, dict(FirstBoundary="boundary_0", SecondBoundary="xMin"), "is not flat"),
+                                (box, dict(FirstBoundary="boundary_0", SecondBoundary="xMin"), "the first is not flat"),
                                 (box, dict(FirstBoundary="xMin", SecondBoundary="xMax", Motion="Rotation", Axis=[0, 0, 0]), "Axis is 0"),
                                 (around(spheres, CellSize=0.2, DomainBounds=[-0.2, 2, -1, 1, -1, 1]),
                                  dict(FirstBoundary="xMin", SecondBoundary="xMax"), "differ by an area of")):

@@ -28,9 +28,14 @@ struct Kind
 
 constexpr Kind Interior = { "interior", 2 };
 constexpr Kind Wall = { "wall", 3 };
+constexpr Kind Periodic = { "periodic", 12 };
 
 Kind fluentKind(const FoamPatch& patch)
 {
+  if (patch.type == "cyclic" && patch.pair != 0)
+  {
+    return patch.pair > 0 ? Periodic : Kind{ "shadow", 8 };
+  }
   switch (kindOf(patch))
   {
     case BoundaryKind::Wall:
@@ -71,6 +76,7 @@ public:
     writePoints();
     writeCells();
     writeFaces();
+    writePeriodicPairs();
     writeZoneNames();
     file_.close();
     return std::move(changed_);
@@ -89,6 +95,8 @@ private:
     std::string name;
     Kind kind;
     std::vector<std::uint32_t> faces;
+    int pair = 0; // as FoamPatch has it
+    std::uint32_t region = 0;
   };
 
   std::size_t regionCount() const { return std::max<std::size_t>(1, regions_.names.size()); }
@@ -137,7 +145,7 @@ private:
         const std::string name =
           ofRegion.size() == 1 ? patch.name : patch.name + "_" + cellZones_[region].name;
         cellZones_[region].patches.push_back(patch);
-        faceZones_.push_back({ name, fluentKind(patch), std::move(faces) });
+        faceZones_.push_back({ name, fluentKind(patch), std::move(faces), patch.pair, region });
       }
     }
   }
@@ -221,6 +229,7 @@ private:
     std::size_t first = 1;
     for (const FaceZone& faces : faceZones_)
     {
+      firstFace_.push_back(first);
       section("13",
         { ++zone, first, first + faces.faces.size() - 1,
           static_cast<std::size_t>(faces.kind.number), Polygons });
@@ -232,6 +241,40 @@ private:
       file_.text("))\n");
       first += faces.faces.size();
     }
+  }
+
+  // The faces of a pair are in the same order.
+  void writePeriodicPairs()
+  {
+    for (std::size_t a = 0; a < faceZones_.size(); ++a)
+    {
+      for (std::size_t b = 0; b < faceZones_.size(); ++b)
+      {
+        const FaceZone& own = faceZones_[a];
+        const FaceZone& other = faceZones_[b];
+        if (own.pair > 0 && own.kind.number == Periodic.number && other.pair == -own.pair &&
+          other.region == own.region && own.faces.size() == other.faces.size())
+        {
+          writePeriodicPair(a, b);
+        }
+      }
+    }
+  }
+
+  void writePeriodicPair(std::size_t a, std::size_t b)
+  {
+    const std::size_t before = Points + cellZones_.size() + 1;
+    const std::size_t count = faceZones_[a].faces.size();
+    section("18", { 1, count, before + a, before + b });
+    file_.text("(\n");
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      file_.hexadecimal(firstFace_[a] + i);
+      file_.text(" ");
+      file_.hexadecimal(firstFace_[b] + i);
+      file_.text("\n");
+    }
+    file_.text("))\n");
   }
 
   void writeFace(std::uint32_t face)
@@ -277,8 +320,9 @@ private:
   const FoamRegions& regions_;
   OutputFile file_;
   std::vector<CellZone> cellZones_;
-  std::vector<std::uint32_t> number_; // of each cell, from one
-  std::vector<FaceZone> faceZones_;   // inner ones first
+  std::vector<std::uint32_t> number_;  // of each cell, from one
+  std::vector<FaceZone> faceZones_;    // inner ones first
+  std::vector<std::size_t> firstFace_; // of each: its number in the file
   std::vector<ChangedName> changed_;
 };
 

@@ -82,10 +82,11 @@ public:
       [&](std::uint32_t p) { return plane_.placeOf(motion_.before(point(p))); });
     if (which == FacesOfPair::Own)
     {
-      fit();
+      plane_.pointBeside() ? void() : fit();
     }
     else
     {
+      requireFlat();
       overlay_ = overlay(ofSide_[0].polygons, ofSide_[1].polygons);
       requireMatch();
       placeVertices();
@@ -111,6 +112,16 @@ private:
   {
     result_.points.insert(result_.points.end(), at.begin(), at.end());
     return static_cast<std::uint32_t>(result_.points.size() / 3 - 1);
+  }
+
+  void requireFlat() const
+  {
+    if (const std::optional<Vector>& at = plane_.pointBeside())
+    {
+      throw Error(Fault::BadMesh,
+        "the first is not flat at (" + number((*at)[0]) + ", " + number((*at)[1]) + ", " +
+          number((*at)[2]) + "), as both must be to have the same faces. Choose Faces Own.");
+    }
   }
 
   void requireMatch() const

@@ -27,7 +27,7 @@ struct PeriodicSpec
 enum class FacesOfPair
 {
   Same, // of both sides
-  Own   // of each; only the outlines become the same, and so the areas
+  Own   // of each; only the outlines of flat sides become the same, and so the areas
 };
 
 struct PeriodicFaces
@@ -44,7 +44,7 @@ struct PeriodicFaces
 };
 
 // `sides`: faces of `cells`, with corners counter-clockwise from outside. `motion`: from the first to the second side. Throws Error
-// (BadMesh): a side is not flat, or they are not the same.
+// (BadMesh), unless faces are their own: the first is not flat, or they are not the same.
 PeriodicFaces matchSides(const CellFaces& cells, const std::vector<double>& points,
   const std::array<std::vector<std::size_t>, 2>& sides, const SideMotion& motion,
   FacesOfPair which = FacesOfPair::Same);

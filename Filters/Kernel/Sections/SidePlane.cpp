@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sections/SidePlane.h"
 
-#include "Base/Error.h"
 #include "Sections/PeriodicFaces.h"
 
 #include <algorithm>
@@ -64,10 +63,9 @@ SidePlane::SidePlane(
   size_ = norm(minus(high, low));
   choose(area);
   forEachPoint([&](const Vector& p) {
-    if (std::abs(dot(normal_, minus(p, origin_))) > PeriodicSpec::Flatness * size_)
+    if (!beside_ && std::abs(dot(normal_, minus(p, origin_))) > PeriodicSpec::Flatness * size_)
     {
-      throw Error(Fault::BadMesh,
-        "is not flat at (" + number(p[0]) + ", " + number(p[1]) + ", " + number(p[2]) + ")");
+      beside_ = p;
     }
   });
 }

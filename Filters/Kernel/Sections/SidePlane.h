@@ -6,6 +6,8 @@
 #include "Sections/PlanePolygons.h"
 #include "Sections/SideMotion.h"
 
+#include <optional>
+
 namespace cartesian
 {
 
@@ -15,8 +17,7 @@ Vector doubledArea(const CellFaces& cells, std::size_t face, const std::vector<d
 class SidePlane
 {
 public:
-  // Seen from outside, the faces are counter-clockwise in it. Planes across an axis keep that coordinate exactly. Throws
-  // Error (BadMesh): the faces do not lie in one plane.
+  // Seen from outside, the faces are counter-clockwise in it. Planes across an axis keep that coordinate exactly.
   SidePlane(const CellFaces& cells, const std::vector<std::size_t>& faces,
     const std::vector<double>& points);
 
@@ -31,12 +32,16 @@ public:
   }
   double size() const { return size_; }
 
+  // A point of the faces that does not lie in it (PeriodicSpec::Flatness).
+  const std::optional<Vector>& pointBeside() const { return beside_; }
+
 private:
   void choose(const Vector& area);
 
   Vector origin_{};
   std::array<Vector, 2> along_{};
   Vector normal_{};
+  std::optional<Vector> beside_;
   double size_ = 0; // the diagonal of what holds its points
 };
 

@@ -3,6 +3,7 @@
 #include "Quality/FaceCorners.h"
 #include "Sections/PeriodicFaces.h"
 #include "Sections/PlanePolygons.h"
+#include "Sections/SidePlane.h"
 
 #include <gtest/gtest.h>
 
@@ -294,9 +295,55 @@ TEST(PeriodicFaces, DifferentSidesAreTold)
   catch (const Error& error)
   {
     EXPECT_EQ(error.fault, Fault::BadMesh);
-    EXPECT_NE(std::string(error.what()).find("differ by an area"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("differ by an area"), std::string::npos)
+      << error.what();
   }
   Slabs bent = slabsOf(divided(3, 3, 0, 1), divided(3, 3, 0, 1));
   bent.points[2] = 0.1;
   EXPECT_THROW(matched(bent), Error);
+}
+
+TEST(PeriodicFaces, OfTheirOwnStayButForTheOutline)
+{
+  // Rings between the same circles, of other chords.
+  const auto ring = [](std::size_t n) {
+    PlanePolygons all;
+    for (const double radius : { 1.0, 2.0 })
+    {
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        const double angle = 2 * Pi * double(i) / double(n);
+        all.points.push_back({ radius * std::cos(angle), radius * std::sin(angle) });
+      }
+    }
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t next = (i + 1) % n;
+      for (const std::size_t corner : { i, n + i, n + next, next })
+      {
+        all.corners.push_back(static_cast<std::uint32_t>(corner));
+      }
+      all.firstCorner.push_back(all.corners.size());
+    }
+    return all;
+  };
+  const Slabs slabs = slabsOf(ring(24), ring(31));
+  const double area = 12 * std::sin(Pi / 12) * 3;
+  const PeriodicFaces own =
+    matchSides(slabs.cells, slabs.points, slabs.sides, upwards(), FacesOfPair::Own);
+  expectClosed(own.cells);
+  EXPECT_TRUE(own.pairs.empty());
+  EXPECT_EQ(own.cells.faceCount(), slabs.cells.faceCount());
+  double second = 0;
+  for (std::size_t f = 0; f < own.source.size(); ++f)
+  {
+    const auto& side = slabs.sides[1];
+    second += std::find(side.begin(), side.end(), own.source[f]) != side.end()
+      ? norm(doubledArea(own.cells, f, own.points)) / 2
+      : 0;
+  }
+  EXPECT_NEAR(second, area, 1e-9);
+  const PeriodicFaces same = matched(slabs);
+  expectClosed(same.cells);
+  expectPairs(same, upwards(), area);
 }
