@@ -2,7 +2,7 @@
 #include "vtkPeriodicBoundaries.h"
 
 #include "Base/Error.h"
-#include "PeriodicGrid.h"
+#include "PeriodicMesh.h"
 
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"

@@ -41,6 +41,7 @@ split = simple.SplitSurface(Input=surface)
 divided = simple.DividePolyhedra(Input=mesher)
 section = simple.SlicePolyhedra(Input=mesher)
 flat = simple.FlatMesh(Input=mesher)
+periodic = simple.PeriodicBoundaries(Input=mesher)
 quality = simple.FiniteVolumeQuality(Input=mesher)
 summary = simple.MeshSummary(Input=mesher)
 histogram = simple.QualityHistogram(Input=mesher)
@@ -64,6 +65,8 @@ expected = {
     divided: ("Divide Polyhedra", ["Input"], threads | memory),
     flat: ("Flat Mesh", ["Input"], threads | {"Across": "Z", "Shape": "Plane", "Thickness": 0, "Axis": "X", "AxisOrigin": [0, 0, 0],
         "WedgeAngle": 5}),
+    periodic: ("Periodic Boundaries", ["Input"], threads | {"FirstBoundary": "", "SecondBoundary": "", "Motion": "Translation", "Axis": [0, 0, 1],
+        "AxisOrigin": [0, 0, 0], "Faces": "Same"}),
     section: ("Slice Polyhedra", ["Input"], threads | {"Origin": [0, 0, 0], "Normal": [1, 0, 0], "Offsets": [0]}),
     quality: ("Finite Volume Quality", ["Input"], threads | {"OpennessLimit": 1e-6, "BoundaryAngleLimit": 90,
         "InnerAngleLimit": 75, "NonOrthogonalityLimit": 70, "SkewnessLimit": 4, "FaceWeightLimit": 0.05,

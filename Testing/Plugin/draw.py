@@ -1,7 +1,7 @@
 """xvfb-run -a pvpython draw.py REPOSITORY PROGRAM [NAME ...]: makes pictures of the help pages: of the mesh of
 their task cut open (task), of a flow that OpenFOAM computed (flow), of a mesh that
 follows a solution (adaptation), of layers (layers), of the coolant jacket (jacket), of sections (slices), of
-cells around a rim (rims), of gaps that are closed (gaps, houses), of terrain (terrain), of strata, flat meshes and zones (strata, flat, zone), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
+cells around a rim (rims), of gaps that are closed (gaps, houses), of terrain (terrain), of strata, flat and periodic meshes and zones (strata, flat, periodic, zone), of the solids of a STEP file (cad; needs Open CASCADE), and of solid and gas
 of the exhaust header (regions; needs the folder of surfaces in SURFACES). PROGRAM is cartesian-mesher; the others are made by
 demo.sh, TestImages.py and Window/photograph.py."""
 
@@ -347,6 +347,22 @@ def draw_flat(folder):
     joined("flat.png", parts)
 
 
+def draw_periodic(_):
+    """The page's spheres, and a side of either pair."""
+    names = {}
+    exec(blocks(HELP / "filters.PeriodicBoundaries.md", "python")[0].split("SaveData")[0], names)
+    view = simple.CreateView("RenderView")
+    faces = simple.ExtractSurface(Input=names["both"])
+    for function, most, all_points, colour in (("coordsX", 1e-6, 1, [0.75, 0.85, 0.95]), ("-coordsY", -1 + 1e-6, 1, [0.8, 0.9, 0.8]),
+                                               ("max(abs(coordsX - 1), max(abs(coordsY), abs(coordsZ)))", 1 - 1e-6, 0, [0.95, 0.8, 0.55])):
+        value = simple.Calculator(Input=faces, Function=function, ResultArrayName="value")
+        chosen = simple.Threshold(Input=value, Scalars=["POINTS", "value"], LowerThreshold=-9, UpperThreshold=most, AllScalars=all_points)
+        display = show(chosen, view, "CellId")
+        simple.ColorBy(display, None)
+        display.DiffuseColor = colour
+    picture("periodic.png", view, [2, -3, 1.5], 1.3, [800, 520])
+
+
 def draw_zone(_):
     """The page's rotor, cut open."""
     names = {}
@@ -379,7 +395,7 @@ CUT = [51, 100, -3]  # in the middle of a tube of the header
 
 DRAWN = {"task": draw_task, "flow": draw_flow, "layers": draw_layers, "adaptation": draw_adaptation,
          "jacket": draw_jacket, "regions": draw_regions, "cad": draw_cad, "slices": draw_slices,
-         "rims": draw_rims, "gaps": draw_gaps, "houses": draw_houses, "strata": draw_strata, "flat": draw_flat, "zone": draw_zone, "terrain": draw_terrain}
+         "rims": draw_rims, "gaps": draw_gaps, "houses": draw_houses, "strata": draw_strata, "flat": draw_flat, "periodic": draw_periodic, "zone": draw_zone, "terrain": draw_terrain}
 for name in sys.argv[3:] or DRAWN:
     with tempfile.TemporaryDirectory() as folder:
         DRAWN[name](pathlib.Path(folder))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PeriodicGrid.h"
+#include "PeriodicMesh.h"
 
 #include "Base/Error.h"
 #include "FacedGrid.h"
@@ -52,10 +52,10 @@ Side sideOf(const GridFaces& mesh, const std::vector<std::size_t>& faces)
   return side;
 }
 
-class PeriodicGrid
+class PeriodicMesh
 {
 public:
-  PeriodicGrid(vtkUnstructuredGrid* grid, const PeriodicBoundarySpec& spec, Execution& execution)
+  PeriodicMesh(vtkUnstructuredGrid* grid, const PeriodicBoundarySpec& spec, Execution& execution)
     : grid_(grid)
     , spec_(spec)
     , boundaries_(grid)
@@ -265,7 +265,7 @@ PeriodicResult makePeriodic(vtkUnstructuredGrid* grid, const PeriodicBoundarySpe
     throw Error(Fault::BadParameter,
       "A pair of \"" + spec.names[0] + "\" and itself: name two different boundaries.");
   }
-  PeriodicGrid periodic(grid, spec, execution);
+  PeriodicMesh periodic(grid, spec, execution);
   periodic.write(output);
   return periodic.result();
 }
