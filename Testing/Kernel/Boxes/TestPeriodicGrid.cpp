@@ -164,9 +164,10 @@ TEST(PeriodicGrid, BoxesAreTheSameWhereverItBegins)
   const Index middle = { 2, 2, 1 };
   for (unsigned axes = 0; axes < 8; ++axes)
   {
-    for (const int layers : { 1, 3 })
+    for (const auto& [depth, layers] : { std::pair(3, 1), std::pair(3, 3), std::pair(5, 1) })
     {
-      const RefinementSpec spec = periodic(axes, layers, axes % 2 == 0);
+      RefinementSpec spec = periodic(axes, layers, axes % 2 == 0);
+      spec.boundaries = { { 0, depth } };
       const std::set<Placed> expected = placed(BallInAGrid(counts, middle, spec).boxes());
       for (const unsigned upper : { 0u, 1u, 2u, 4u, 7u })
       {
@@ -179,9 +180,25 @@ TEST(PeriodicGrid, BoxesAreTheSameWhereverItBegins)
           first[axis] = at[axis] - middle[axis];
         }
         EXPECT_TRUE(placed(BallInAGrid(counts, at, spec).boxes(), first) == expected)
-          << axes << ", " << layers << ", " << upper;
+          << axes << ", " << depth << ", " << layers << ", " << upper;
       }
     }
+  }
+}
+
+// Two tiny regions, so deep that they are blocks of parts of global boxes, face each other.
+TEST(PeriodicGrid, DeepBlocksAtItsEndsAreBalanced)
+{
+  for (const bool isAcross : { false, true })
+  {
+    const Soup low = box({ 0.02, 1.4, 1.4 }, { 0.1, 1.45, 1.45 });
+    const Soup high = box({ 3.9, 1.4, 1.4 }, { 3.98, 1.45, 1.45 });
+    RefinementSpec spec = periodic(isAcross ? 0b001 : 0b110);
+    spec.regions.push_back({ low.view(), 6 });
+    spec.regions.push_back({ high.view(), 4 });
+    const int difference =
+      largestDifference(BallInAGrid({ 4, 4, 4 }, { 1, 2, 2 }, spec).boxes(), 0);
+    EXPECT_EQ(difference, isAcross ? 1 : 2);
   }
 }
 
