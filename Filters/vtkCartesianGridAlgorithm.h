@@ -178,10 +178,10 @@ public:
   void SetPeriodicSidesToNone() { this->SetPeriodicSides(0); }
   void SetPeriodicSidesToX() { this->SetPeriodicSides(1); }
   void SetPeriodicSidesToY() { this->SetPeriodicSides(2); }
-  void SetPeriodicSidesToXAndY() { this->SetPeriodicSides(3); }
+  void SetPeriodicSidesToXandY() { this->SetPeriodicSides(3); }
   void SetPeriodicSidesToZ() { this->SetPeriodicSides(4); }
-  void SetPeriodicSidesToXAndZ() { this->SetPeriodicSides(5); }
-  void SetPeriodicSidesToYAndZ() { this->SetPeriodicSides(6); }
+  void SetPeriodicSidesToXandZ() { this->SetPeriodicSides(5); }
+  void SetPeriodicSidesToYandZ() { this->SetPeriodicSides(6); }
   void SetPeriodicSidesToAll() { this->SetPeriodicSides(7); }
   ///@}
 
