@@ -554,6 +554,7 @@ cartesian::RefinementSpec vtkCartesianGridAlgorithm::MakeSpec(
   spec.depth = this->RefinementDepth;
   spec.transitionLayers = this->TransitionLayers;
   spec.isotropic = this->IsotropicLevels;
+  spec.periodic = static_cast<unsigned>(this->PeriodicSides);
   spec.sizing.curvatureAngle = this->CurvatureAngle;
   spec.sizing.featureDepth = this->FeatureDepth;
   spec.sizing.cellsAcrossGaps = this->CellsAcrossGaps;
@@ -674,6 +675,7 @@ void vtkCartesianGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RefinementDepth: " << this->RefinementDepth << "\n";
   os << indent << "TransitionLayers: " << this->TransitionLayers << "\n";
   os << indent << "IsotropicLevels: " << this->IsotropicLevels << "\n";
+  os << indent << "PeriodicSides: " << this->PeriodicSides << "\n";
   PrintTable(os, indent, "RefinementBlocks", this->RefinementBlocks);
   PrintTable(os, indent, "BoundaryRefinements", this->BoundaryRefinements);
   PrintColumn(os, indent, "BoundaryNames", this->BoundaryNames);

@@ -169,6 +169,24 @@ public:
 
   ///@{
   /**
+   * Axes across which opposite sides of the grid are periodic (vtkPeriodicBoundaries.h), the sum of 1 (x), 2 (y) and 4
+   * (z): boxes are halved as if, beyond each end, those at the other end followed, with as many transition layers. 0,
+   * the default: none.
+   */
+  vtkSetClampMacro(PeriodicSides, int, 0, 7);
+  vtkGetMacro(PeriodicSides, int);
+  void SetPeriodicSidesToNone() { this->SetPeriodicSides(0); }
+  void SetPeriodicSidesToX() { this->SetPeriodicSides(1); }
+  void SetPeriodicSidesToY() { this->SetPeriodicSides(2); }
+  void SetPeriodicSidesToXandY() { this->SetPeriodicSides(3); }
+  void SetPeriodicSidesToZ() { this->SetPeriodicSides(4); }
+  void SetPeriodicSidesToXandZ() { this->SetPeriodicSides(5); }
+  void SetPeriodicSidesToYandZ() { this->SetPeriodicSides(6); }
+  void SetPeriodicSidesToAll() { this->SetPeriodicSides(7); }
+  ///@}
+
+  ///@{
+  /**
    * Blocks of boxes with refinement levels of their own; later rows override earlier ones. First and last box
    * along each axis (whole numbers from 0, both included), the level allowed where the surface passes, and the
    * level forced everywhere in the block, 0 to 12 (section 4.6).
@@ -403,6 +421,7 @@ protected:
   int RefinementDepth = 0;
   int TransitionLayers = 0;
   bool IsotropicLevels = false;
+  int PeriodicSides = 0;
   std::vector<std::array<double, 8>> RefinementBlocks;
   std::vector<std::array<double, 4>> BoundaryRefinements;
   std::vector<int> BoundaryDepths;

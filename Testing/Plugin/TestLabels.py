@@ -4,7 +4,7 @@ saved states depend on them and on the defaults."""
 from paraview import simple
 
 grid = {"CellSize": 0.0, "MeshlinesX": [], "MeshlinesY": [], "MeshlinesZ": []}
-refinement = {"RefinementDepth": 0, "TransitionLayers": 0, "IsotropicLevels": 0, "RefinementBlocks": [], "BoundaryRefinement": [],
+refinement = {"RefinementDepth": 0, "TransitionLayers": 0, "IsotropicLevels": 0, "PeriodicSides": "None", "RefinementBlocks": [], "BoundaryRefinement": [],
               "RefinedBoundaries": [], "RefinedBoundaryDepth": 1, "RegionDepth": 1,
               "CurvatureAngle": 0.0, "CellsAcrossGaps": 0, "LargestDepth": 3, "FeatureDepth": 0,
               "SizeArray": "", "RefinementShapes": [], "RefinementPositions": [], "RefinementLengths": [],

@@ -8,7 +8,7 @@
 // pass n halves boxes until none coarser than level n touches one finer than n. It does not change
 // levels finer than n, so its effect on a box depends only on the boxes that touched it before the
 // pass, not on the order of visits; and the effect of all passes depends only on boxes at most
-// balanceReach() global boxes away.
+// balanceReach() global boxes away; along periodic axes (RefinementSpec::periodic) also across the ends of the grid.
 //
 // Before the pass of a level, that of the next finer one may grow (RefinementSpec::transitionLayers): boxes that
 // touch boxes of it become as fine along all axes, layer by layer: long boxes there would trouble solvers.

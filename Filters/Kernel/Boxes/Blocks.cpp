@@ -48,8 +48,9 @@ void findLevels(Block& block)
 
 }
 
-Blocks::Blocks(const Boxes& globals, Execution& execution)
+Blocks::Blocks(const Boxes& globals, const PeriodicGrid& grid, Execution& execution)
   : globals_(globals)
+  , grid_(grid)
   , execution_(execution)
 {
 }
@@ -113,7 +114,7 @@ void Blocks::update(const std::vector<std::uint32_t>& changed)
 void Blocks::findNearDepths()
 {
   nearDepths_ = largestAround(
-    globals_,
+    globals_, grid_,
     [&](std::size_t g) { return rootOf(g) == None ? std::uint8_t(0) : blocks_[roots_[g]].depth; },
     execution_);
   execution_.forEach(blocks_.size(), BlocksAChunk, [&](std::size_t begin, std::size_t end) {
@@ -147,6 +148,7 @@ void Blocks::findNearDepth(Block& block) const
       low[axis] -= beyond * FinePerBox;
       isSame = isSame && beyond == 0;
     }
+    global = grid_.seen(global);
     const std::uint32_t g =
       isSame ? block.global : globals_.globalAt(global[0], global[1], global[2]);
     if (g != None)
@@ -189,6 +191,15 @@ std::uint8_t Blocks::depthOf(
   }
 }
 
+std::uint32_t Blocks::globalAround(const FinePoint& fine, const Block& near) const
+{
+  const auto [i, j, k] =
+    grid_.seen({ fine[0] >> DeepestLevel, fine[1] >> DeepestLevel, fine[2] >> DeepestLevel });
+  const auto& guess = globals_.globals[near.global].index;
+  const bool hit = guess[0] == i && guess[1] == j && guess[2] == k;
+  return hit ? near.global : globals_.globalAt(i, j, k);
+}
+
 // The smallest of a block and those that it is in that contains a place, else the root there, or null.
 const Block* Blocks::blockAround(const FinePoint& fine, const Block& near) const
 {
@@ -209,7 +220,7 @@ const Block* Blocks::blockAround(const FinePoint& fine, const Block& near) const
     }
     block = &blocks_[block->parent];
   }
-  const std::uint32_t g = globals_.globalAt(fine, near.global);
+  const std::uint32_t g = globalAround(fine, near);
   return g == None || rootOf(g) == None ? nullptr : &blocks_[roots_[g]];
 }
 
@@ -220,7 +231,7 @@ const std::array<std::uint8_t, 3>* Blocks::levelsAt(
   if (block == nullptr)
   {
     size = FinePerBox;
-    return globals_.globalAt(fine, near.global) == None ? nullptr : &Undivided;
+    return globalAround(fine, near) == None ? nullptr : &Undivided;
   }
   std::uint32_t node = 0;
   int shift = DeepestLevel - block->cube.level;

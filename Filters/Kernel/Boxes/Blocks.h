@@ -41,7 +41,8 @@ struct Block
 class Blocks
 {
 public:
-  Blocks(const Boxes& globals, Execution& execution);
+  // `grid`: what is around a block, beyond the ends of the grid too.
+  Blocks(const Boxes& globals, const PeriodicGrid& grid, Execution& execution);
 
   std::size_t size() const { return blocks_.size(); }
   Block& operator[](std::size_t b) { return blocks_[b]; }
@@ -84,12 +85,14 @@ public:
 private:
   FinePoint placeOf(const Block& block) const;
   const Block* blockAround(const FinePoint& fine, const Block& near) const;
+  std::uint32_t globalAround(const FinePoint& fine, const Block& near) const;
   std::uint8_t depthOf(
     std::uint32_t global, const std::array<std::int64_t, 3>& low, int level) const;
   void findNearDepth(Block& block) const;
   void findNearDepths();
 
   const Boxes& globals_;
+  PeriodicGrid grid_;
   Execution& execution_;
   std::vector<std::uint32_t> roots_;     // of global boxes; empty: there are no blocks
   std::vector<std::uint8_t> nearDepths_; // of global boxes

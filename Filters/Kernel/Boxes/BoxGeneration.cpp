@@ -50,14 +50,14 @@ class BoxGenerator
 {
 public:
   BoxGenerator(const Surface& surface, const Meshlines& planes, const Shoeboxes& shoeboxes,
-    const Refinement& refinement, const GlobalStatuses& statuses, SlabRange core, SlabRange layers,
-    Execution& execution)
+    const Refinement& refinement, const GlobalStatuses& statuses, SlabRange core,
+    std::vector<SlabRange> layers, Execution& execution)
     : surface_(surface)
     , planes_(planes)
     , shoeboxes_(shoeboxes)
     , refinement_(refinement)
     , statuses_(statuses)
-    , layers_(layers)
+    , layers_(std::move(layers))
     , execution_(execution)
   {
     boxes_.lattice = surface.lattice;
@@ -72,7 +72,7 @@ public:
   {
     boxes_.kept = kept;
     listGlobals();
-    Blocks blocks(boxes_, execution_);
+    Blocks blocks(boxes_, PeriodicGrid(refinement_.periodic(), planes_), execution_);
     if (refinement_.any())
     {
       addRoots(blocks);
@@ -100,15 +100,18 @@ private:
   void forEachRow(Visitor&& visit)
   {
     const std::size_t rowsAlongY = planes_[1].size() - 1;
-    const std::size_t first = boxes_.row(0, layers_.begin);
-    const std::size_t count = boxes_.row(0, layers_.end) - first;
-    execution_.forEach(count, RowsAChunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t row = first + begin; row < first + end; ++row)
-      {
-        visit(row, static_cast<std::uint32_t>(row % rowsAlongY),
-          static_cast<std::uint32_t>(row / rowsAlongY));
-      }
-    });
+    for (const SlabRange& layers : layers_)
+    {
+      const std::size_t first = boxes_.row(0, layers.begin);
+      const std::size_t count = boxes_.row(0, layers.end) - first;
+      execution_.forEach(count, RowsAChunk, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t row = first + begin; row < first + end; ++row)
+        {
+          visit(row, static_cast<std::uint32_t>(row % rowsAlongY),
+            static_cast<std::uint32_t>(row / rowsAlongY));
+        }
+      });
+    }
   }
 
   template <class Visitor>
@@ -537,11 +540,27 @@ private:
   const Shoeboxes& shoeboxes_;
   const Refinement& refinement_;
   const GlobalStatuses& statuses_;
-  SlabRange layers_;
+  std::vector<SlabRange> layers_;
   Execution& execution_;
   Boxes boxes_;
   RawVector<BoxStatus> statusOf_; // of global boxes
 };
+
+// The layers on which the levels of those kept depend: near them, and those that these see beyond an end of the grid.
+std::vector<SlabRange> layersToBalance(
+  const Refinement& refinement, SlabRange kept, std::uint32_t all)
+{
+  const std::uint32_t reach = balanceReach(refinement.deepest(), refinement.transitionLayers());
+  const SlabRange near = kept.grown(reach, all);
+  if (!refinement.periodic()[2] || near.begin == near.end)
+  {
+    return { near };
+  }
+  const std::uint32_t below = reach - (kept.begin - near.begin);
+  const std::uint32_t above = reach - (near.end - kept.end);
+  return { { 0, std::min(near.begin, above) }, near,
+    { std::max(near.end, all - std::min(all, below)), all } };
+}
 
 }
 
@@ -550,9 +569,8 @@ Boxes generateBoxes(const Surface& surface, const Meshlines& planes, const Shoeb
   Execution& execution)
 {
   const auto end = static_cast<std::uint32_t>(planes[2].size() - 1);
-  const SlabRange layers =
-    kept.grown(balanceReach(refinement.deepest(), refinement.transitionLayers()), end);
-  return BoxGenerator(surface, planes, shoeboxes, refinement, statuses, core, layers, execution)
+  return BoxGenerator(surface, planes, shoeboxes, refinement, statuses, core,
+    layersToBalance(refinement, kept, end), execution)
     .generate(kept);
 }
 

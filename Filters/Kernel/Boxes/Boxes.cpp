@@ -112,15 +112,15 @@ bool Boxes::plantTree(Execution& execution)
 void Boxes::findNearDepths(Execution& execution)
 {
   const std::vector<std::uint8_t> depths = largestAround(
-    *this, [&](std::size_t g) { return globals[g].depth; }, execution);
+    *this, PeriodicGrid(), [&](std::size_t g) { return globals[g].depth; }, execution);
   for (std::size_t g = 0; g < depths.size(); ++g)
   {
     globals[g].nearDepth = depths[g];
   }
 }
 
-std::vector<std::uint8_t> largestAround(
-  const Boxes& boxes, const std::function<std::uint8_t(std::size_t)>& depthOf, Execution& execution)
+std::vector<std::uint8_t> largestAround(const Boxes& boxes, const PeriodicGrid& grid,
+  const std::function<std::uint8_t(std::size_t)>& depthOf, Execution& execution)
 {
   constexpr std::size_t RowsAChunk = 64;
   const std::size_t rows = boxes.rowStart.size() - 1;
@@ -147,8 +147,9 @@ std::vector<std::uint8_t> largestAround(
       const auto k = static_cast<std::int64_t>(row) / nj;
       for (std::int64_t n = 0; n < 9; ++n)
       {
-        const std::int64_t y = j + n % 3 - 1;
-        const std::int64_t z = k + n / 3 - 1;
+        const auto across = grid.seen({ 0, j + n % 3 - 1, k + n / 3 - 1 });
+        const std::int64_t y = across[1];
+        const std::int64_t z = across[2];
         if (y < 0 || z < 0 || y >= nj || z >= nk ||
           ofRow[boxes.row(std::size_t(y), std::size_t(z))] == 0)
         {
@@ -156,8 +157,9 @@ std::vector<std::uint8_t> largestAround(
         }
         forEachOfRow(row, [&](std::size_t g) {
           const std::int64_t i = boxes.globals[g].index[0];
-          for (std::int64_t x = i - 1; x <= i + 1; ++x)
+          for (std::int64_t side = -1; side <= 1; ++side)
           {
+            const std::int64_t x = grid.seen({ i + side, 0, 0 })[0];
             const std::uint32_t near = boxes.globalAt(x, y, z);
             result[g] = std::max(result[g], near == None ? std::uint8_t(0) : depthOf(near));
           }

@@ -133,6 +133,7 @@ Refinement::Refinement(const RefinementSpec& spec, const Surface& surface,
   , octantsWithoutBends_(planes)
   , transitionLayers_(std::max(1, spec.transitionLayers))
   , isotropic_(spec.isotropic)
+  , periodic_(spec.periodic)
   , anyWithoutLayers_(spec.depth > 0 || !spec.blocks.empty() || !spec.boundaries.empty() ||
       !spec.regions.empty() || spec.sizing.asksEverywhere())
 {

@@ -62,6 +62,10 @@ struct RefinementSpec
   int transitionLayers = 0;
 
   bool isotropic = false; // boxes are halved along all axes alike
+
+  // The axes along which the grid goes on beyond its ends with the boxes at its other end, for balance and transition
+  // layers.
+  PeriodicAxes periodic;
 };
 
 struct Depths
@@ -146,6 +150,8 @@ public:
 
   bool isIsotropic() const { return isotropic_; }
 
+  const PeriodicAxes& periodic() const { return periodic_; }
+
   // A message about rows of tables that extend beyond the grid, or empty.
   const std::string& warnings() const { return warnings_; }
 
@@ -173,6 +179,7 @@ private:
   Octants octantsWithoutBends_; // at layers
   int transitionLayers_;
   bool isotropic_;
+  PeriodicAxes periodic_;
   bool anyWithoutLayers_;
   int deepest_ = 0;
   int deepestWithoutSizes_ = 0;

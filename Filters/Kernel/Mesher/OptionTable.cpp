@@ -48,6 +48,8 @@ std::vector<NamedOption> optionTable()
     { "Transition Layers", double(d.refinement.transitionLayers),
       RefinementSpec::AllTransitionLayers, "" },
     { "Isotropic Levels", double(d.refinement.isotropic), { 0, 1 }, "" },
+    choice("Periodic Sides", d.refinement.periodic.to_ulong(),
+      { "None", "X", "Y", "X and Y", "Z", "X and Z", "Y and Z", "All" }),
     { "Refined Boundary Depth", double(BoundaryRefinement{}.depth), RefinementSpec::AllDepths, "" },
     { "Region Depth", double(RefinementRegion{}.depth), RefinementSpec::AllDepths, "" },
     { "Curvature Angle", d.refinement.sizing.curvatureAngle, SizingSpec::CurvatureAngles, Degrees },

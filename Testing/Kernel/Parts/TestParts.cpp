@@ -315,6 +315,18 @@ TEST(Parts, AreTheWholeMeshAroundADeepPlace)
   expectUnion(soup, cellsAlongLongest(soup, 8), options);
 }
 
+// Boxes at the low end are divided for those at the high end.
+TEST(Parts, AreTheWholeMeshWithPeriodicSides)
+{
+  const Soup ball = sphere(6, 0.3).moved({ 0.5, 0.5, 27.6 });
+  TestOptions options = automatic(3);
+  options.refinement.periodic = 0b111;
+  options.domain.domain = Domain::Outside;
+  options.domain.boxFrom = BoxSource::Bounds;
+  options.domain.bounds = { { 0, 0, 0 }, { 2, 2, 28 } };
+  expectUnion(ball, cellsOf(1), options);
+}
+
 // For balance, a tiny region divides global boxes far away from it (TestBalance.cpp).
 TEST(Parts, AreTheWholeMeshFarFromADeepPlace)
 {
