@@ -353,14 +353,16 @@ def draw_periodic(_):
     exec(blocks(HELP / "filters.PeriodicBoundaries.md", "python")[0].split("SaveData")[0], names)
     view = simple.CreateView("RenderView")
     faces = simple.ExtractSurface(Input=names["both"])
-    for function, most, all_points, colour in (("coordsX", 1e-6, 1, [0.75, 0.85, 0.95]), ("-coordsY", -1 + 1e-6, 1, [0.8, 0.9, 0.8]),
-                                               ("max(abs(coordsX - 1), max(abs(coordsY), abs(coordsZ)))", 1 - 1e-6, 0, [0.95, 0.8, 0.55])):
-        value = simple.Calculator(Input=faces, Function=function, ResultArrayName="value")
-        chosen = simple.Threshold(Input=value, Scalars=["POINTS", "value"], LowerThreshold=-9, UpperThreshold=most, AllScalars=all_points)
-        display = show(chosen, view, "CellId")
+    shown = [(simple.Threshold(Input=simple.Calculator(Input=faces, Function=function, ResultArrayName="value"), Scalars=["POINTS", "value"],
+                               LowerThreshold=low, UpperThreshold=high), colour)
+             for function, low, high, colour in (("coordsX", -1, 1e-6, [0.75, 0.85, 0.95]), ("coordsY", 1 - 1e-6, 2, [0.8, 0.9, 0.8]))]
+    wall = simple.Threshold(Input=simple.OutputPort(names["mesher"], "Boundary"), Scalars=["CELLS", "BoundaryId"], LowerThreshold=-0.1,
+                            UpperThreshold=0.1)
+    for source, colour in (*shown, (wall, [0.95, 0.8, 0.55])):
+        display = show(source, view, "CellId" if source is not wall else "BoundaryId")
         simple.ColorBy(display, None)
         display.DiffuseColor = colour
-    picture("periodic.png", view, [2, -3, 1.5], 1.3, [800, 520])
+    picture("periodic.png", view, [2, -2.5, 1.5], 1.3, [800, 520])
 
 
 def draw_zone(_):
