@@ -18,9 +18,12 @@ using Placed = std::pair<FinePoint, std::array<std::uint8_t, 3>>;
 class BallInAGrid
 {
 public:
-  BallInAGrid(const Index& counts, const Index& at, const RefinementSpec& refinement)
+  BallInAGrid(
+    const Index& counts, const Index& at, const RefinementSpec& refinement, int zoneDepth = 0)
     : options_(asTheyAre(0, refinement))
     , soup_(sphere(4, 0.3).moved({ at[0] + 0.47, at[1] + 0.52, at[2] + 0.49 }))
+    , zone_(box(
+        { at[0] + 0.39, at[1] + 0.05, at[2] + 0.22 }, { at[0] + 0.93, at[1] + 0.9, at[2] + 0.8 }))
   {
     options_.domain.domain = Domain::Outside;
     options_.domain.boxFrom = BoxSource::Bounds;
@@ -30,6 +33,10 @@ public:
     if (options_.refinement.boundaries.empty())
     {
       options_.refinement.boundaries = { { 0, 3 } };
+    }
+    if (zoneDepth > 0)
+    {
+      options_.refinement.regions.push_back({ zone_.view(), zoneDepth });
     }
     prepared_ = prepareSurface(soup_.view(), options_, execution_);
     decomposition_ = decompose(prepared_, options_, execution_);
@@ -47,6 +54,7 @@ private:
   Execution execution_;
   TestOptions options_;
   Soup soup_;
+  Soup zone_; // in the same box
   PreparedSurface prepared_;
   std::unique_ptr<Decomposition> decomposition_;
 };
@@ -168,7 +176,9 @@ TEST(PeriodicGrid, BoxesAreTheSameWhereverItBegins)
     {
       RefinementSpec spec = periodic(axes, layers, axes % 2 == 0);
       spec.boundaries = { { 0, depth } };
-      const std::set<Placed> expected = placed(BallInAGrid(counts, middle, spec).boxes());
+      const int zoneDepth = depth - 1;
+      const std::set<Placed> expected =
+        placed(BallInAGrid(counts, middle, spec, zoneDepth).boxes());
       for (const unsigned upper : { 0u, 1u, 2u, 4u, 7u })
       {
         Index at = middle;
@@ -179,7 +189,7 @@ TEST(PeriodicGrid, BoxesAreTheSameWhereverItBegins)
           at[axis] = !moves ? middle[axis] : (upper >> axis & 1) != 0 ? counts[axis] - 1 : 0;
           first[axis] = at[axis] - middle[axis];
         }
-        EXPECT_TRUE(placed(BallInAGrid(counts, at, spec).boxes(), first) == expected)
+        EXPECT_TRUE(placed(BallInAGrid(counts, at, spec, zoneDepth).boxes(), first) == expected)
           << axes << ", " << depth << ", " << layers << ", " << upper;
       }
     }
