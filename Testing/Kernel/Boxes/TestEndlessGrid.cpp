@@ -129,21 +129,21 @@ int largestDifference(const Boxes& boxes, int axis)
   return result;
 }
 
-TEST(PeriodicGrid, EndsOrGoesOn)
+TEST(EndlessGrid, EndsOrGoesOn)
 {
   Meshlines planes;
   planes[0] = { 0, 2, 4, 6 };
   planes[1] = { 0, 2 };
   planes[2] = { 0, 2, 4 };
-  const PeriodicGrid grid(0b011, planes);
+  const EndlessGrid grid(0b011, planes);
   using At = std::array<std::int64_t, 3>;
   EXPECT_EQ(grid.seen({ -1, -1, -1 }), (At{ 2, 0, -1 }));
   EXPECT_EQ(grid.seen({ 3, 1, 2 }), (At{ 0, 0, 2 }));
   EXPECT_EQ(grid.seen({ 1, 0, 1 }), (At{ 1, 0, 1 }));
-  EXPECT_EQ(PeriodicGrid().seen({ -1, 3, 5 }), (At{ -1, 3, 5 }));
+  EXPECT_EQ(EndlessGrid().seen({ -1, 3, 5 }), (At{ -1, 3, 5 }));
 }
 
-TEST(PeriodicGrid, LevelsAtItsEndsAreBalanced)
+TEST(EndlessGrid, LevelsAtItsEndsAreBalanced)
 {
   for (const int axis : { 0, 1, 2 })
   {
@@ -166,7 +166,7 @@ TEST(PeriodicGrid, LevelsAtItsEndsAreBalanced)
 
 // Boxes around a ball are the same wherever it is, but that the grid begins elsewhere: so there are as many transition
 // layers, and blocks beyond each end are visited in each pass.
-TEST(PeriodicGrid, BoxesAreTheSameWhereverItBegins)
+TEST(EndlessGrid, BoxesAreTheSameWhereverItBegins)
 {
   const Index counts = { 4, 5, 3 };
   const Index middle = { 2, 2, 1 };
@@ -197,7 +197,7 @@ TEST(PeriodicGrid, BoxesAreTheSameWhereverItBegins)
 }
 
 // Two tiny regions, so deep that they are blocks of parts of global boxes, face each other.
-TEST(PeriodicGrid, DeepBlocksAtItsEndsAreBalanced)
+TEST(EndlessGrid, DeepBlocksAtItsEndsAreBalanced)
 {
   for (const bool isAcross : { false, true })
   {
@@ -212,7 +212,7 @@ TEST(PeriodicGrid, DeepBlocksAtItsEndsAreBalanced)
   }
 }
 
-TEST(PeriodicGrid, MayBeOneBoxAcross)
+TEST(EndlessGrid, MayBeOneBoxAcross)
 {
   const Boxes boxes = BallInAGrid({ 1, 4, 1 }, { 0, 0, 0 }, periodic(0b111)).boxes();
   for (const int axis : { 0, 1, 2 })
@@ -221,14 +221,14 @@ TEST(PeriodicGrid, MayBeOneBoxAcross)
   }
 }
 
-TEST(PeriodicGrid, BoxesAreTheSameForAnyNumberOfThreads)
+TEST(EndlessGrid, BoxesAreTheSameForAnyNumberOfThreads)
 {
   const BallInAGrid ball({ 8, 8, 8 }, { 0, 7, 3 }, periodic(0b111, 2));
   EXPECT_TRUE(placed(ball.boxes()) == placed(ball.boxes(ball.all(), 3)));
 }
 
 // The layers of each part, of which those at one end see those at the other.
-TEST(PeriodicGrid, BoxesAreTheSameInParts)
+TEST(EndlessGrid, BoxesAreTheSameInParts)
 {
   for (const int end : { 0, 59 })
   {
