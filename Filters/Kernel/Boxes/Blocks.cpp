@@ -48,7 +48,7 @@ void findLevels(Block& block)
 
 }
 
-Blocks::Blocks(const Boxes& globals, const PeriodicGrid& grid, Execution& execution)
+Blocks::Blocks(const Boxes& globals, const EndlessGrid& grid, Execution& execution)
   : globals_(globals)
   , grid_(grid)
   , execution_(execution)

@@ -42,7 +42,7 @@ class Blocks
 {
 public:
   // `grid`: what is around a block, beyond the ends of the grid too.
-  Blocks(const Boxes& globals, const PeriodicGrid& grid, Execution& execution);
+  Blocks(const Boxes& globals, const EndlessGrid& grid, Execution& execution);
 
   std::size_t size() const { return blocks_.size(); }
   Block& operator[](std::size_t b) { return blocks_[b]; }
@@ -92,7 +92,7 @@ private:
   void findNearDepths();
 
   const Boxes& globals_;
-  PeriodicGrid grid_;
+  EndlessGrid grid_;
   Execution& execution_;
   std::vector<std::uint32_t> roots_;     // of global boxes; empty: there are no blocks
   std::vector<std::uint8_t> nearDepths_; // of global boxes

@@ -72,7 +72,7 @@ public:
   {
     boxes_.kept = kept;
     listGlobals();
-    Blocks blocks(boxes_, PeriodicGrid(refinement_.periodic(), planes_), execution_);
+    Blocks blocks(boxes_, EndlessGrid(refinement_.periodic(), planes_), execution_);
     if (refinement_.any())
     {
       addRoots(blocks);

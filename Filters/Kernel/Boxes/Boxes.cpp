@@ -112,14 +112,14 @@ bool Boxes::plantTree(Execution& execution)
 void Boxes::findNearDepths(Execution& execution)
 {
   const std::vector<std::uint8_t> depths = largestAround(
-    *this, PeriodicGrid(), [&](std::size_t g) { return globals[g].depth; }, execution);
+    *this, EndlessGrid(), [&](std::size_t g) { return globals[g].depth; }, execution);
   for (std::size_t g = 0; g < depths.size(); ++g)
   {
     globals[g].nearDepth = depths[g];
   }
 }
 
-std::vector<std::uint8_t> largestAround(const Boxes& boxes, const PeriodicGrid& grid,
+std::vector<std::uint8_t> largestAround(const Boxes& boxes, const EndlessGrid& grid,
   const std::function<std::uint8_t(std::size_t)>& depthOf, Execution& execution)
 {
   constexpr std::size_t RowsAChunk = 64;

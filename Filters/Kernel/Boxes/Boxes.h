@@ -10,7 +10,7 @@
 #include "Base/Execution.h"
 #include "Base/RawVector.h"
 #include "Boxes/BoxTree.h"
-#include "Boxes/PeriodicGrid.h"
+#include "Boxes/EndlessGrid.h"
 #include "Lattice/Meshlines.h"
 #include "Lattice/Vector.h"
 #include "Surface/Walls.h"
@@ -217,7 +217,7 @@ inline Point Boxes::lowOf(std::size_t b) const
 }
 
 // For each global box the largest depthOf(g) of it and its 26 neighbours.
-std::vector<std::uint8_t> largestAround(const Boxes& boxes, const PeriodicGrid& grid,
+std::vector<std::uint8_t> largestAround(const Boxes& boxes, const EndlessGrid& grid,
   const std::function<std::uint8_t(std::size_t)>& depthOf, Execution& execution);
 
 // The boxes across a side of `box` at its four quarters: (low, low), (high, low), (low, high),

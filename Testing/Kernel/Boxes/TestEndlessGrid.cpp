@@ -18,9 +18,12 @@ using Placed = std::pair<FinePoint, std::array<std::uint8_t, 3>>;
 class BallInAGrid
 {
 public:
-  BallInAGrid(const Index& counts, const Index& at, const RefinementSpec& refinement)
+  BallInAGrid(
+    const Index& counts, const Index& at, const RefinementSpec& refinement, int zoneDepth = 0)
     : options_(asTheyAre(0, refinement))
     , soup_(sphere(4, 0.3).moved({ at[0] + 0.47, at[1] + 0.52, at[2] + 0.49 }))
+    , zone_(box(
+        { at[0] + 0.39, at[1] + 0.05, at[2] + 0.22 }, { at[0] + 0.93, at[1] + 0.9, at[2] + 0.8 }))
   {
     options_.domain.domain = Domain::Outside;
     options_.domain.boxFrom = BoxSource::Bounds;
@@ -30,6 +33,10 @@ public:
     if (options_.refinement.boundaries.empty())
     {
       options_.refinement.boundaries = { { 0, 3 } };
+    }
+    if (zoneDepth > 0)
+    {
+      options_.refinement.regions.push_back({ zone_.view(), zoneDepth });
     }
     prepared_ = prepareSurface(soup_.view(), options_, execution_);
     decomposition_ = decompose(prepared_, options_, execution_);
@@ -47,6 +54,7 @@ private:
   Execution execution_;
   TestOptions options_;
   Soup soup_;
+  Soup zone_; // in the same box
   PreparedSurface prepared_;
   std::unique_ptr<Decomposition> decomposition_;
 };
@@ -121,21 +129,21 @@ int largestDifference(const Boxes& boxes, int axis)
   return result;
 }
 
-TEST(PeriodicGrid, EndsOrGoesOn)
+TEST(EndlessGrid, EndsOrGoesOn)
 {
   Meshlines planes;
   planes[0] = { 0, 2, 4, 6 };
   planes[1] = { 0, 2 };
   planes[2] = { 0, 2, 4 };
-  const PeriodicGrid grid(0b011, planes);
+  const EndlessGrid grid(0b011, planes);
   using At = std::array<std::int64_t, 3>;
   EXPECT_EQ(grid.seen({ -1, -1, -1 }), (At{ 2, 0, -1 }));
   EXPECT_EQ(grid.seen({ 3, 1, 2 }), (At{ 0, 0, 2 }));
   EXPECT_EQ(grid.seen({ 1, 0, 1 }), (At{ 1, 0, 1 }));
-  EXPECT_EQ(PeriodicGrid().seen({ -1, 3, 5 }), (At{ -1, 3, 5 }));
+  EXPECT_EQ(EndlessGrid().seen({ -1, 3, 5 }), (At{ -1, 3, 5 }));
 }
 
-TEST(PeriodicGrid, LevelsAtItsEndsAreBalanced)
+TEST(EndlessGrid, LevelsAtItsEndsAreBalanced)
 {
   for (const int axis : { 0, 1, 2 })
   {
@@ -158,7 +166,7 @@ TEST(PeriodicGrid, LevelsAtItsEndsAreBalanced)
 
 // Boxes around a ball are the same wherever it is, but that the grid begins elsewhere: so there are as many transition
 // layers, and blocks beyond each end are visited in each pass.
-TEST(PeriodicGrid, BoxesAreTheSameWhereverItBegins)
+TEST(EndlessGrid, BoxesAreTheSameWhereverItBegins)
 {
   const Index counts = { 4, 5, 3 };
   const Index middle = { 2, 2, 1 };
@@ -168,7 +176,9 @@ TEST(PeriodicGrid, BoxesAreTheSameWhereverItBegins)
     {
       RefinementSpec spec = periodic(axes, layers, axes % 2 == 0);
       spec.boundaries = { { 0, depth } };
-      const std::set<Placed> expected = placed(BallInAGrid(counts, middle, spec).boxes());
+      const int zoneDepth = depth - 1;
+      const std::set<Placed> expected =
+        placed(BallInAGrid(counts, middle, spec, zoneDepth).boxes());
       for (const unsigned upper : { 0u, 1u, 2u, 4u, 7u })
       {
         Index at = middle;
@@ -179,7 +189,7 @@ TEST(PeriodicGrid, BoxesAreTheSameWhereverItBegins)
           at[axis] = !moves ? middle[axis] : (upper >> axis & 1) != 0 ? counts[axis] - 1 : 0;
           first[axis] = at[axis] - middle[axis];
         }
-        EXPECT_TRUE(placed(BallInAGrid(counts, at, spec).boxes(), first) == expected)
+        EXPECT_TRUE(placed(BallInAGrid(counts, at, spec, zoneDepth).boxes(), first) == expected)
           << axes << ", " << depth << ", " << layers << ", " << upper;
       }
     }
@@ -187,7 +197,7 @@ TEST(PeriodicGrid, BoxesAreTheSameWhereverItBegins)
 }
 
 // Two tiny regions, so deep that they are blocks of parts of global boxes, face each other.
-TEST(PeriodicGrid, DeepBlocksAtItsEndsAreBalanced)
+TEST(EndlessGrid, DeepBlocksAtItsEndsAreBalanced)
 {
   for (const bool isAcross : { false, true })
   {
@@ -202,7 +212,7 @@ TEST(PeriodicGrid, DeepBlocksAtItsEndsAreBalanced)
   }
 }
 
-TEST(PeriodicGrid, MayBeOneBoxAcross)
+TEST(EndlessGrid, MayBeOneBoxAcross)
 {
   const Boxes boxes = BallInAGrid({ 1, 4, 1 }, { 0, 0, 0 }, periodic(0b111)).boxes();
   for (const int axis : { 0, 1, 2 })
@@ -211,14 +221,14 @@ TEST(PeriodicGrid, MayBeOneBoxAcross)
   }
 }
 
-TEST(PeriodicGrid, BoxesAreTheSameForAnyNumberOfThreads)
+TEST(EndlessGrid, BoxesAreTheSameForAnyNumberOfThreads)
 {
   const BallInAGrid ball({ 8, 8, 8 }, { 0, 7, 3 }, periodic(0b111, 2));
   EXPECT_TRUE(placed(ball.boxes()) == placed(ball.boxes(ball.all(), 3)));
 }
 
 // The layers of each part, of which those at one end see those at the other.
-TEST(PeriodicGrid, BoxesAreTheSameInParts)
+TEST(EndlessGrid, BoxesAreTheSameInParts)
 {
   for (const int end : { 0, 59 })
   {

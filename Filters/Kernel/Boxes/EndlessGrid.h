@@ -15,11 +15,11 @@ namespace cartesian
 // Bit n: along axis n.
 using PeriodicAxes = std::bitset<3>;
 
-class PeriodicGrid
+class EndlessGrid
 {
 public:
-  PeriodicGrid() = default; // it ends along all axes
-  PeriodicGrid(const PeriodicAxes& axes, const Meshlines& planes)
+  EndlessGrid() = default; // it ends along all axes
+  EndlessGrid(const PeriodicAxes& axes, const Meshlines& planes)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
