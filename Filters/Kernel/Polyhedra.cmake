@@ -46,6 +46,7 @@ add_library(CartesianPolyhedra STATIC
   Sections/CellDivision.cpp
   Sections/FaceFans.cpp
   Sections/FlatCells.cpp
+  Sections/FoldedPolygons.cpp
   Sections/OutlineFitting.cpp
   Sections/PeriodicFaces.cpp
   Sections/PlaneBuckets.cpp

@@ -2,6 +2,7 @@
 #include "Sections/PeriodicFaces.h"
 
 #include "Base/Error.h"
+#include "Sections/FoldedPolygons.h"
 #include "Sections/OutlineFitting.h"
 #include "Sections/PlaneOverlay.h"
 #include "Sections/SidePlane.h"
@@ -87,6 +88,7 @@ public:
     else
     {
       requireFlat();
+      unfoldSides();
       overlay_ = overlay(ofSide_[0].polygons, ofSide_[1].polygons);
       requireMatch();
       placeVertices();
@@ -112,6 +114,16 @@ private:
   {
     result_.points.insert(result_.points.end(), at.begin(), at.end());
     return static_cast<std::uint32_t>(result_.points.size() / 3 - 1);
+  }
+
+  // Layers at a corner may have made faces that cross themselves, which no overlay can divide.
+  void unfoldSides()
+  {
+    unfold(ofSide_[1].polygons);
+    for (const std::uint32_t p : unfold(ofSide_[0].polygons))
+    {
+      place(ofSide_[0].pointOf[p], plane_.pointAt(ofSide_[0].polygons.points[p]));
+    }
   }
 
   void requireFlat() const

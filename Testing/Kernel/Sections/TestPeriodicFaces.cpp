@@ -303,6 +303,16 @@ TEST(PeriodicFaces, DifferentSidesAreTold)
   EXPECT_THROW(matched(bent), Error);
 }
 
+TEST(PeriodicFaces, FacesThatCrossThemselvesAreUnfolded)
+{
+  PlanePolygons folded = divided(4, 4, 0, 1);
+  folded.points[6] = { 0.27, 0.52 }; // beyond that above
+  const Slabs slabs = slabsOf(folded, divided(3, 5, 0.2, 2));
+  const PeriodicFaces mesh = matched(slabs);
+  expectClosed(mesh.cells);
+  expectPairs(mesh, upwards(), 1);
+}
+
 TEST(PeriodicFaces, OfTheirOwnStayButForTheOutline)
 {
   // Rings between the same circles, of other chords.
