@@ -169,7 +169,7 @@ private:
     }
   }
 
-  std::size_t cornersOf(const CellFaces& cells, std::size_t cell) const
+  static std::size_t cornersOf(const CellFaces& cells, std::size_t cell)
   {
     return cells.firstCorner[cells.firstFace[cell + 1]] - cells.firstCorner[cells.firstFace[cell]];
   }

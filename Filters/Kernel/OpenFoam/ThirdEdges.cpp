@@ -60,9 +60,9 @@ private:
   void findPoints()
   {
     std::vector<std::uint8_t> uses(mesh_.points.size() / 3);
-    for (std::size_t i = 0; i < mesh_.corners.size(); ++i)
+    for (const std::uint32_t corner : mesh_.corners)
     {
-      std::uint8_t& count = uses[mesh_.corners[i]];
+      std::uint8_t& count = uses[corner];
       count = std::min<std::uint8_t>(count + 1, FewFaces + 1);
     }
     std::map<std::uint32_t, std::set<std::uint32_t>> neighbours;

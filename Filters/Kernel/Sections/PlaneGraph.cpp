@@ -37,9 +37,8 @@ public:
   void write()
   {
     double largest = 0;
-    for (std::size_t f = 0; f < faces_.size(); ++f)
+    for (const Face& face : faces_)
     {
-      const Face& face = faces_[f];
       if (face.area <= 0 || (face.of[0] == NoPolygon && face.of[1] == NoPolygon))
       {
         continue;

@@ -205,8 +205,8 @@ TEST(PeriodicFaces, OfAnyDivisionsOfASquare)
   {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
-    const auto upTo = [&](unsigned most) { return 1 + random() % most; };
-    const std::array sizes{ upTo(9), upTo(9), upTo(9), upTo(9) };
+    const auto atMost = [&](unsigned most) { return 1 + random() % most; };
+    const std::array sizes{ atMost(9), atMost(9), atMost(9), atMost(9) };
     const PlanePolygons a = divided(sizes[0], sizes[1], 0.2, seed);
     const PlanePolygons b = divided(sizes[2], sizes[3], 0.2, seed + 1000);
     const Slabs slabs = slabsOf(a, b);
