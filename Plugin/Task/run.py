@@ -175,6 +175,8 @@ def missing_inlet(mesher, task):
         return []
     if solver == "None" or not cases or task.properties.get("Domain") == "Outside":  # whose sides have an inlet
         return []
+    if task.periodic and any(pair.get("Motion", 0) == 0 for pair in task.periodic[:1]):  # which drives the flow
+        return []
     names = [*boundary_numbers(mesher), *task.properties.get("BoundaryMergedNames", [])]
     if any(name.startswith("inlet") for name in names):
         return []
@@ -214,6 +216,8 @@ def build(task, quiet):
         errors = set_properties(mesher, task) + missing_inlet(mesher, task)
     if errors:
         raise TaskError(*(text for error in errors for text in error.args))
+    if is_shaped(task) and vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses() > 1:
+        raise task.error(("flat" if task.flat is not None else "periodic",), "needs one rank: start the program without mpirun")
     # A VTK file holds the whole mesh: then the first rank must have it.
     if any(file.suffix in writing.WRITERS[port] for _, port, file in files_of(task)):
         mesher.InPieces = 0
@@ -246,14 +250,41 @@ def create_folders(task):
                 writing.created(file.parent)
 
 
-def write(mesher, task):
+def is_shaped(task):
+    """Whether the mesh to write is not the mesher's own."""
+    return task.flat is not None or bool(task.periodic)
+
+
+def shaped(mesher, task, listener):
+    """The mesh to write: the mesher's, one cell across and with periodic boundaries if asked for; None if that failed."""
+    steps = [(simple.FlatMesh, task.flat)] if task.flat is not None else []
+    steps += [(simple.PeriodicBoundaries, properties) for properties in task.periodic]
+    mesh = mesher
+    for filter, properties in steps:
+        mesh = filter(Input=mesh, **properties)
+        own = Listener(mesh, listener.quiet)
+        mesh.UpdatePipeline()
+        own.end()
+        listener.warnings += own.warnings
+        listener.errors += own.errors
+        if own.errors:
+            return None
+    return mesh
+
+
+def write(mesher, task, listener):
+    mesh = shaped(mesher, task, listener)
     for kind, port, file in files_of(task):
+        source = mesh if kind == "mesh" else mesher
+        if source is None:
+            continue
         with outputs_of(task, kind, file):
             if file.suffix in writing.WRITERS[port]:
-                data = mesher.SMProxy.GetClientSideObject().GetOutputDataObject(port)
+                data = source.SMProxy.GetClientSideObject().GetOutputDataObject(port)
                 writing.write_whole(data, port, file)
             else:
-                writing.save(mesher, port, file, task.pieces, task.case)
+                writing.save(source, port, file, task.pieces, task.case)
+    return mesh is not None
 
 
 def write_pieces(listener, task, pieces):
@@ -298,6 +329,8 @@ def pieces_needed(mesher, task):
     ranks = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
     if task.pieces > 1:
         return decomposed_pieces(task, ranks)
+    if is_shaped(task):
+        return 1
     alone = ranks == 1
     takes_pieces = [file.suffix in writing.PIECE_WRITERS[port] for _, port, file in files_of(task)]
     if not alone or not takes_pieces or not all(takes_pieces):
@@ -392,7 +425,7 @@ def run(task, quiet):
     has_mesh = summary["mesh"].get("Cells", 0) > 0
     if has_mesh:
         if pieces == 1:
-            write(mesher, task)
+            has_mesh = write(mesher, task, listener)
         if not quiet:
             report(summary)
     for file in task.statistics:

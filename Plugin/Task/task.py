@@ -26,6 +26,13 @@
     radius = 5.0
     depth = 2
 
+    [flat]                     # then the mesh is one cell across; the properties of Flat Mesh
+    across = "Z"
+
+    [[periodic]]               # any number: pairs of boundaries; the properties of Periodic Boundaries
+    first_boundary = "xMin"
+    second_boundary = "xMax"
+
     [output]                   # all optional; files are next to the task file
     mesh = ["header.vtu", "case/header.foam"]
     pieces = 1                 # of the case: more for a decomposed one; on several ranks as many as these
@@ -56,6 +63,7 @@ import tomllib
 from parameters import BadValue, collections, extensions, parameters, shown
 
 MESHER, REGION, SPLIT, CASE_WRITER, CAD_READER = "CartesianMesher", "RefinementRegion", "SplitSurface", "PolyMeshWriter", "CADReader"
+FLAT, PERIODIC = "FlatMesh", "PeriodicBoundaries"
 REPORT = ".html"
 FILE_KEYS = {"surface": {"file", "names", "split"}, "refinement": {"size_field"}}  # beside the properties, by table
 NOT_OF_SPLIT = ("NumberOfThreads",)  # the mesher has it too
@@ -88,6 +96,8 @@ class Task:
     properties: dict  # of Cartesian Mesher, by their names in Python
     regions: list
     size_field: pathlib.Path | None
+    flat: dict | None  # properties of Flat Mesh
+    periodic: list  # properties of Periodic Boundaries, for each pair
     mesh: list  # files to write
     boundary: list
     defects: list
@@ -348,6 +358,17 @@ def split_parameters():
     return [parameter for parameter in parameters(SPLIT) if parameter.name not in NOT_OF_SPLIT]
 
 
+def shape_parameters(name):
+    """Those of a filter that comes after the mesher."""
+    return [parameter for parameter in parameters(name) if parameter.name not in NOT_OF_SPLIT]
+
+
+def shape(reader, content, where, name):
+    """Properties of such a filter."""
+    of = shape_parameters(name)
+    return reader.values(reader.table(content, where, {parameter.key for parameter in of}), where, of)
+
+
 def read_task(path):
     """The task in a file, checked as far as can be without its surface. Throws TaskError."""
     reader = _Reader(pathlib.Path(path))
@@ -355,7 +376,7 @@ def read_task(path):
     tables = {}
     for parameter in mesher:
         tables.setdefault(parameter.table, []).append(parameter)
-    content = reader.table(reader.content, (), {*tables, "surface", "regions", "output", "case", "cad",
+    content = reader.table(reader.content, (), {*tables, "surface", "regions", "flat", "periodic", "output", "case", "cad",
         *(of.key for of in rows), *(of.key for of in case_collections())})
 
     properties, known = {}, {}
@@ -383,6 +404,9 @@ def read_task(path):
     names = block_names(reader, known["surface"], surfaces)
     regions = [reader.region(table, ("regions", i), region)
         for i, table in enumerate(reader.tables(content.get("regions", []), "regions"))]
+    flat = shape(reader, content["flat"], ("flat",), FLAT) if "flat" in content else None
+    periodic = [shape(reader, table, ("periodic", i), PERIODIC)
+        for i, table in enumerate(reader.tables(content.get("periodic", []), "periodic"))]
     size_field = known["refinement"].get("size_field")
     if size_field is not None and not isinstance(size_field, str):
         reader.note(("refinement", "size_field"), "must be the name of a file")
@@ -390,7 +414,10 @@ def read_task(path):
         size_field = reader.file(size_field, ("refinement", "size_field"), True)
     inputs = [file for file in (*surfaces, size_field, *(region.file for region in regions)) if isinstance(file, pathlib.Path)]
     written = outputs(reader, content.get("output", {}), [reader.path, *inputs])
+    if written["pieces"] > 1 and (flat is not None or periodic):
+        reader.note(("output", "pieces"), "flat and periodic meshes are written in one piece: leave it out, and run decomposePar")
     cad = cad_properties(reader, reader.content, inputs, properties)
     reader.end()
     return Task(path=reader.path, surfaces=surfaces, names=names, splits=splits, properties=properties, regions=regions, size_field=size_field,
+        flat=flat, periodic=periodic,
         case=case, cad=cad, reader=reader, **written)

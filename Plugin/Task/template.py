@@ -4,7 +4,7 @@ import json
 import textwrap
 
 from parameters import collections, parameters
-from task import MESHER, REGION, SPLIT, cad_parameters, case_collections, case_parameters, split_parameters
+from task import FLAT, MESHER, PERIODIC, REGION, SPLIT, cad_parameters, case_collections, case_parameters, shape_parameters, split_parameters
 
 HEAD = """\
 # A task for cartesian-mesher. All keys but surface.file are optional; the values below are the
@@ -29,6 +29,12 @@ SPLIT_ROWS = """
 SIZE_FIELD = """
 # Data of any kind, such as a solution on an earlier mesh, with the size_array.
 # size_field = "before.vtu\""""
+
+FLAT_MESH = """
+# The mesh one cell across, by Flat Mesh. The other outputs are of the mesh before."""
+
+PERIODIC_PAIRS = """
+# Pairs of periodic boundaries, by Periodic Boundaries, each in a table [[periodic]] of its own."""
 
 REGIONS = """
 # Refinement zones: boxes and spheres, each in a table [[regions]] of its own; or the file of a closed
@@ -102,6 +108,8 @@ def template():
     for collection in collections(MESHER):
         parts += rows(collection)
     parts += [REGIONS, "# [[regions]]", *[entry(parameter, "# ") for parameter in parameters(REGION)]]
+    for comment, table, name in (FLAT_MESH, "[flat]", FLAT), (PERIODIC_PAIRS, "[[periodic]]", PERIODIC):
+        parts += [comment, f"# {table}", *[entry(parameter, "# ") for parameter in shape_parameters(name)]]
     return "\n".join([*parts, OUTPUT, CASE, *[entry(parameter) for parameter in case_parameters()],
         *[part for collection in case_collections() for part in rows(collection)],
         CAD, *[entry(parameter, "# ") for parameter in cad_parameters()]])

@@ -6,6 +6,8 @@ import itertools
 import math
 import pathlib
 import re
+import subprocess
+import sys
 import tempfile
 
 import numpy as np
@@ -16,6 +18,7 @@ import foam
 from pipeline import Messages, polydata, producer
 
 temporary = tempfile.TemporaryDirectory()
+PROGRAM = sys.argv[2]
 numbers = itertools.count()
 
 
@@ -151,6 +154,50 @@ for angle in 90, 40, 30:
     usual = pair(simple.CartesianMesher(Input=surface, CellSize=0.1), "begin", "end", Motion="Rotation")
     areas = check(usual, "begin", "end", lambda points: points @ matrix.T).areas()
     assert math.isclose(areas["begin"], 1, rel_tol=1e-6) and math.isclose(areas["end"], 1, rel_tol=1e-6), areas
+
+# By a task file: one cell deep, and periodic; a boundary that is not there.
+root = pathlib.Path(temporary.name)
+simple.SaveData(str(root / "rods.stl"), proxy=simple.AppendGeometry(Input=[moved(simple.Cylinder(Radius=0.4, Height=4, Resolution=40), (90, 0, 0), (x, 0, 0))
+                                                                           for x in (0, 2)]))
+TASK = """
+[surface]
+file = "rods.stl"
+[grid]
+cell_size = 0.1
+[domain]
+domain = "Outside"
+side_names = "Axes"
+box_from = "Bounds"
+domain_bounds = [0.0, 2.0, -1.0, 1.0, -0.1, 0.1]
+boxes_along_body = 0
+[refinement]
+periodic_sides = "X"
+[flat]
+thickness = 1.0
+[[periodic]]
+first_boundary = "xMin"
+second_boundary = "{}"
+[case]
+solver_setup = "Incompressible"
+turbulence = "Laminar"
+speed = 1.0
+viscosity = 0.1
+iterations = 10
+[output]
+mesh = ["task/case.foam", "task.vtu"]
+"""
+for second, code in ("xMax", 0), ("left", 2):
+    (root / "task.toml").write_text(TASK.format(second))
+    done = subprocess.run([PROGRAM, "--quiet", str(root / "task.toml")], capture_output=True, text=True)
+    assert done.returncode == code and ('There is no boundary "left"' in done.stderr) == (code == 2), (done.returncode, done.stdout, done.stderr)
+assert (root / "task.vtu").exists()
+checked = foam.CheckMesh(root / "task")
+assert checked.ok and "2 solution (non-empty) directions" in checked.text, checked.text[-2000:]
+assert "meanVelocityForce" in (root / "task/constant/fvOptions").read_text()
+foam.run(root / "task", "simpleFoam")
+(root / "task.toml").write_text(TASK.format("xMax") + "pieces = 2\n")
+done = subprocess.run([PROGRAM, str(root / "task.toml")], capture_output=True, text=True)
+assert done.returncode == 2 and "written in one piece" in done.stderr, (done.returncode, done.stderr)
 
 # What does not fit is told.
 box = around(spheres, CellSize=0.2)

@@ -147,8 +147,10 @@ private:
     {
       const Vector at = plane_.pointAt(overlay_.unmatchedAt);
       throw Error(Fault::BadMesh,
-        "differ by an area of " + number(overlay_.unmatched) + ", most of it at (" + number(at[0]) +
-          ", " + number(at[1]) + ", " + number(at[2]) + ") on the first");
+        "they differ by an area of " + number(overlay_.unmatched) + ", most of it at (" +
+          number(at[0]) + ", " + number(at[1]) + ", " + number(at[2]) +
+          ") on the first. What goes through one must go through the other at the same place, in "
+          "boxes of the same size (Periodic Sides of Cartesian Mesher).");
     }
   }
 
