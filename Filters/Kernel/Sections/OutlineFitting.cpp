@@ -20,7 +20,30 @@ struct Outline
   std::vector<PlaneEdge> edges;
   std::vector<std::uint32_t> points; // ascending
   std::vector<double> reaches;       // of each: what is nearer may be the same
+  std::vector<PlanePlace> ways;      // of each: along its edges, with the division to the left
+
+  std::size_t placeOf(std::uint32_t point) const
+  {
+    return static_cast<std::size_t>(
+      std::lower_bound(points.begin(), points.end(), point) - points.begin());
+  }
 };
+
+// Along an edge of an outline, with the division to the left.
+PlanePlace wayAlong(const PlaneEdge& edge, const std::vector<PlanePlace>& points)
+{
+  const bool isForward = edge.polygons[0] != NoPolygon;
+  const PlanePlace& a = points[isForward ? edge.from : edge.to];
+  const PlanePlace& b = points[isForward ? edge.to : edge.from];
+  const double length = distance(a, b);
+  return length > 0 ? PlanePlace{ (b[0] - a[0]) / length, (b[1] - a[1]) / length } : PlanePlace{};
+}
+
+// Both sides of a thin gap in a division are near each other, but lead opposite ways.
+bool leadsAlike(const PlanePlace& a, const PlanePlace& b)
+{
+  return a[0] * b[0] + a[1] * b[1] >= 0;
+}
 
 double reachOf(const PlaneEdge& edge, const std::vector<PlanePlace>& points)
 {
@@ -42,14 +65,15 @@ Outline outlineOf(const PlanePolygons& polygons)
   outline.points.erase(
     std::unique(outline.points.begin(), outline.points.end()), outline.points.end());
   outline.reaches.resize(outline.points.size());
+  outline.ways.resize(outline.points.size());
   for (const PlaneEdge& edge : outline.edges)
   {
+    const PlanePlace along = wayAlong(edge, polygons.points);
     for (const std::uint32_t end : { edge.from, edge.to })
     {
-      double& reach = outline.reaches[static_cast<std::size_t>(
-        std::lower_bound(outline.points.begin(), outline.points.end(), end) -
-        outline.points.begin())];
-      reach = std::max(reach, reachOf(edge, polygons.points));
+      const std::size_t i = outline.placeOf(end);
+      outline.reaches[i] = std::max(outline.reaches[i], reachOf(edge, polygons.points));
+      outline.ways[i] = { outline.ways[i][0] + along[0], outline.ways[i][1] + along[1] };
     }
   }
   return outline;
@@ -131,7 +155,7 @@ private:
   // The nearest place on some edges, within reach of the place or of the edge, not at their ends.
   static PlaceOnEdge nearestOn(const std::vector<PlaneEdge>& edges,
     const std::vector<PlanePlace>& points, PlaneBuckets& near, const PlanePlace& place,
-    double reach)
+    const PlanePlace& way, double reach)
   {
     PlaceOnEdge nearest;
     double least = std::numeric_limits<double>::max();
@@ -141,7 +165,7 @@ private:
       const PlanePlace& b = points[edges[e].to];
       const double foot = footOn(a, b, place);
       const double away = distance(between(a, b, foot), place);
-      if (foot > 0 && foot < 1 && away < least &&
+      if (foot > 0 && foot < 1 && away < least && leadsAlike(wayAlong(edges[e], points), way) &&
         away <= std::max(reach, reachOf(edges[e], points)))
       {
         least = away;
@@ -170,7 +194,7 @@ private:
         continue;
       }
       const PlaceOnEdge on =
-        nearestOn(outlines_[0].edges, first_.points, near, place, own.reaches[i]);
+        nearestOn(outlines_[0].edges, first_.points, near, place, own.ways[i], own.reaches[i]);
       if (on.edge != None)
       {
         const PlaneEdge& edge = outlines_[0].edges[on.edge];
@@ -193,7 +217,8 @@ private:
       {
         const std::uint32_t other = outlines_[0].points[j];
         const double away = distance(first_.points[other], place);
-        if (away <= std::min(own.reaches[i], outlines_[0].reaches[j]))
+        if (away <= std::min(own.reaches[i], outlines_[0].reaches[j]) &&
+          leadsAlike(own.ways[i], outlines_[0].ways[j]))
         {
           pairs.push_back({ away, { other, own.points[i] } });
         }
@@ -226,8 +251,8 @@ private:
       {
         continue;
       }
-      const PlaceOnEdge on =
-        nearestOn(outlines_[1].edges, moved, near, first_.points[p], outlines_[0].reaches[i]);
+      const PlaceOnEdge on = nearestOn(outlines_[1].edges, moved, near, first_.points[p],
+        outlines_[0].ways[i], outlines_[0].reaches[i]);
       if (on.edge != None)
       {
         insertedOn_[on.edge].emplace_back(on.at, p);

@@ -313,6 +313,62 @@ TEST(PeriodicFaces, FacesThatCrossThemselvesAreUnfolded)
   expectPairs(mesh, upwards(), 1);
 }
 
+// What a thin plate leaves of a square: its two sides are nearer to each other than points along them.
+TEST(PeriodicFaces, BothSidesOfAThinGap)
+{
+  const auto slit = [](std::size_t n, double half) {
+    PlanePolygons all;
+    // Rows below and above the gap, which ends in a point on either side.
+    for (const double y : { -1.0, -half, half, 1.0 })
+    {
+      for (std::size_t i = 0; i <= n; ++i)
+      {
+        const bool isEnd = i == 0 || i == n;
+        all.points.push_back({ double(i) / double(n), isEnd && std::abs(y) < 1 ? 0 : y });
+      }
+    }
+    const auto at = [&](std::size_t row, std::size_t i) {
+      // The ends of the gap are one point each.
+      return static_cast<std::uint32_t>((row == 2 && (i == 0 || i == n) ? 1 : row) * (n + 1) + i);
+    };
+    for (const std::size_t row : { std::size_t(0), std::size_t(2) })
+    {
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        for (const std::uint32_t corner :
+          { at(row, i), at(row, i + 1), at(row + 1, i + 1), at(row + 1, i) })
+        {
+          all.corners.push_back(corner);
+        }
+        all.firstCorner.push_back(all.corners.size());
+      }
+    }
+    return all;
+  };
+  for (const double half : { 1e-6, 1e-3, 1e-2 })
+  {
+    SCOPED_TRACE(half);
+    const PlanePolygons a = slit(8, half);
+    const Slabs slabs = slabsOf(a, a);
+    const PeriodicFaces equal = matched(slabs);
+    EXPECT_EQ(equal.points, slabs.points);
+    // The same gap, which stands aside by more than it is wide, and whose points lie elsewhere along it.
+    PlanePolygons b = a;
+    for (PlanePlace& p : b.points)
+    {
+      const bool isAtEnd = p[0] < 0.2 || p[0] > 0.8;
+      if (!isAtEnd && std::abs(p[1]) < 1)
+      {
+        p[0] += 0.03 * (p[1] > 0 ? 1 : -1);
+        p[1] += std::min(3 * half, 0.01);
+      }
+    }
+    const PeriodicFaces mesh = matched(slabsOf(a, b));
+    expectClosed(mesh.cells);
+    EXPECT_LT(mesh.farthest, 0.04);
+  }
+}
+
 TEST(PeriodicFaces, OfTheirOwnStayButForTheOutline)
 {
   // Rings between the same circles, of other chords.
