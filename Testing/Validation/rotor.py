@@ -43,8 +43,8 @@ def torque(folder, hasZone, size):
         foam.run(folder, "topoSet")
     walls = {name: STILL for name in files.patches}
     spun = {name: "fixedValue; value uniform (0 0 0);" for name in walls}
-    for name in "blade", "shaft":
-        spun[name] = f"rotatingWallVelocity; origin (0 0 0); axis (0 0 1); omega {SPEED}; value uniform (0 0 0);"
+    # All of the blade is in the zone, which makes it turn: its U is the fluid's where it stands still.
+    spun["shaft"] = f"rotatingWallVelocity; origin (0 0 0); axis (0 0 1); omega {SPEED}; value uniform (0 0 0);"
     foam.write_field(folder, "U", "[0 1 -1 0 0 0 0]", "(0 0 0)", spun)
     foam.write_field(folder, "p", "[0 2 -2 0 0 0 0]", "0", {name: OUTFLOW for name in walls})
     foam.write(folder, "constant/transportProperties", f"transportModel Newtonian; nu [0 2 -1 0 0 0 0] {VISCOSITY};")

@@ -124,9 +124,11 @@ private:
   {
     const double shorter = std::min(norm(a), norm(b));
     const double longer = std::max(norm(a), norm(b));
-    const double bend =
-      shorter < SideMerging::Short * longer ? SideMerging::Bent : SideMerging::Straight;
-    return dot(a, b) < 0 && norm(cross(a, b)) <= bend * shorter * longer;
+    const double aside = norm(cross(a, b)) / longer; // of the point, from the longer one
+    const bool isShort = shorter < SideMerging::Short * longer;
+    return dot(a, b) < 0 &&
+      aside <= (isShort ? std::min(SideMerging::Bent * shorter, SideMerging::Aside * longer)
+                        : SideMerging::Straight * shorter);
   }
 
   // Whether any were united.
@@ -142,18 +144,28 @@ private:
     std::vector<std::uint8_t> isTaken(side_.count());
     std::vector<std::uint8_t> isGone(side_.count());
     const auto uniteOne = [&](std::size_t polygon) {
+      std::vector<BorderEdge> best;
+      std::size_t with = 0;
+      std::size_t fewest = 0;
       for (const std::size_t other : neighboursOf(polygon))
       {
         std::vector<BorderEdge> border =
           isTaken[other] == 0 ? unitedBorder(polygon, other) : std::vector<BorderEdge>();
-        if (!border.empty() && seesItsEdges(border))
+        const std::size_t refusedNow = border.empty() ? 0 : refusedOf(border, { polygon, other });
+        if (!border.empty() && refusedNow < (best.empty() ? refusedOf(polygon, other) : fewest))
         {
-          isTaken[polygon] = isTaken[other] = isGone[polygon] = 1;
-          united.emplace(other, std::move(border));
-          return true;
+          best = std::move(border);
+          with = other;
+          fewest = refusedNow;
         }
       }
-      return false;
+      if (best.empty())
+      {
+        return false;
+      }
+      isTaken[polygon] = isTaken[with] = isGone[polygon] = 1;
+      united.emplace(with, std::move(best));
+      return true;
     };
     for (const auto& [first, second] : refused())
     {
@@ -183,15 +195,47 @@ private:
     return borderOf(edges);
   }
 
-  // Whether its centre is on the inner side of each.
-  bool seesItsEdges(const std::vector<BorderEdge>& border) const
+  // How many edges of a polygon made of these two are refused.
+  std::size_t refusedOf(
+    const std::vector<BorderEdge>& border, const std::array<std::size_t, 2>& of) const
   {
     const PolygonShape shape = shapeOf(border);
-    return std::all_of(border.begin(), border.end(), [&](const BorderEdge& edge) {
-      const Vector part =
-        cross(minus(at(edge.from), shape.centre), minus(at(edge.to), shape.centre));
-      return (part[0] + part[1] + part[2] > 0) == shape.isForward;
-    });
+    return static_cast<std::size_t>(
+      std::count_if(border.begin(), border.end(), [&](const BorderEdge& edge) {
+        const auto seam =
+          seamAt_.find({ std::min(edge.from, edge.to), std::max(edge.from, edge.to) });
+        if (seam == seamAt_.end())
+        {
+          return isRefusedOnBoundary(edge, shape);
+        }
+        const auto& [p, q] = seams_[seam->second].polygons;
+        const std::size_t beyond = p == of[0] || p == of[1] ? q : p;
+        return isRefused({ edge.to, edge.from }, shape, shapes_[beyond]);
+      }));
+  }
+
+  // ... of the two as they are.
+  std::size_t refusedOf(std::size_t polygon, std::size_t other) const
+  {
+    std::set<std::size_t> seams(seamsOf_[polygon].begin(), seamsOf_[polygon].end());
+    seams.insert(seamsOf_[other].begin(), seamsOf_[other].end());
+    auto count = std::count_if(
+      seams.begin(), seams.end(), [&](std::size_t s) { return isRefused(seams_[s]); });
+    for (const std::size_t p : { polygon, other })
+    {
+      const std::vector<BorderEdge> edges = edgesOf(p);
+      count += std::count_if(edges.begin(), edges.end(), [&](const BorderEdge& edge) {
+        return boundaryOf_(edge.beside) != InnerEdge && isRefusedOnBoundary(edge, shapes_[p]);
+      });
+    }
+    return static_cast<std::size_t>(count);
+  }
+
+  // Whether the centre is on the inner side of an edge of its polygon.
+  bool sees(const PolygonShape& shape, std::uint32_t from, std::uint32_t to) const
+  {
+    const Vector part = cross(minus(at(from), shape.centre), minus(at(to), shape.centre));
+    return (part[0] + part[1] + part[2] > 0) == shape.isForward;
   }
 
   PolygonShape shapeOf(const std::vector<BorderEdge>& border) const
@@ -217,6 +261,7 @@ private:
   {
     std::map<std::array<std::uint32_t, 2>, std::size_t> first;
     seams_.clear();
+    seamAt_.clear();
     for (std::size_t p = 0; p < side_.count(); ++p)
     {
       for (std::size_t i = 0; i < side_.size(p); ++i)
@@ -226,10 +271,11 @@ private:
         {
           continue;
         }
-        const auto [known, isNew] = first.emplace(
-          std::array{ std::min(edge.from, edge.to), std::max(edge.from, edge.to) }, p);
+        const std::array ends{ std::min(edge.from, edge.to), std::max(edge.from, edge.to) };
+        const auto [known, isNew] = first.emplace(ends, p);
         if (!isNew)
         {
+          seamAt_[ends] = seams_.size();
           seams_.push_back({ { edge.from, edge.to }, { known->second, p } });
         }
       }
@@ -262,7 +308,7 @@ private:
       for (std::size_t i = 0; i < side_.size(p); ++i)
       {
         const BorderEdge edge = side_.edge(p, i);
-        if (boundaryOf_(edge.beside) != InnerEdge && isSkewOnBoundary(edge, shapes_[p].centre))
+        if (boundaryOf_(edge.beside) != InnerEdge && isRefusedOnBoundary(edge, shapes_[p]))
         {
           all.push_back({ p, p });
         }
@@ -271,24 +317,33 @@ private:
     return all;
   }
 
-  bool isSkewOnBoundary(const BorderEdge& edge, const Vector& centre) const
+  bool isRefusedOnBoundary(const BorderEdge& edge, const PolygonShape& shape) const
   {
     const Vector along = minus(at(edge.to), at(edge.from));
     const double length = norm(along);
-    const Vector way = minus(scaled(plus(at(edge.from), at(edge.to)), 0.5), centre);
+    const Vector way = minus(scaled(plus(at(edge.from), at(edge.to)), 0.5), shape.centre);
     const double aside = length == 0 ? 0 : std::abs(dot(way, along)) / length;
     const double through = std::sqrt(std::max(0., dot(way, way) - aside * aside));
-    return aside > SideMerging::MostSkewness * std::max(LeastSizeOnBoundary * through, length / 2);
+    return !sees(shape, edge.from, edge.to) ||
+      aside > SideMerging::MostSkewness * std::max(LeastSizeOnBoundary * through, length / 2);
   }
 
   bool isRefused(const Seam& seam) const
   {
-    const Vector a = at(seam.ends[0]);
-    const Vector b = at(seam.ends[1]);
+    return isRefused(seam.ends, shapes_[seam.polygons[0]], shapes_[seam.polygons[1]]);
+  }
+
+  // `ends`: as the second polygon has them.
+  bool isRefused(const std::array<std::uint32_t, 2>& ends, const PolygonShape& first,
+    const PolygonShape& second) const
+  {
+    const Vector a = at(ends[0]);
+    const Vector b = at(ends[1]);
     const Vector along = minus(b, a);
-    const Vector way = minus(shapes_[seam.polygons[1]].centre, shapes_[seam.polygons[0]].centre);
+    const Vector way = minus(second.centre, first.centre);
     const double length = norm(along);
-    if (length == 0 || norm(way) == 0)
+    if (length == 0 || norm(way) == 0 || !sees(second, ends[0], ends[1]) ||
+      !sees(first, ends[1], ends[0]))
     {
       return true;
     }
@@ -300,7 +355,7 @@ private:
       return true;
     }
     // Where the way passes the edge's line, from its middle.
-    const Vector toMiddle = minus(scaled(plus(a, b), 0.5), shapes_[seam.polygons[0]].centre);
+    const Vector toMiddle = minus(scaled(plus(a, b), 0.5), first.centre);
     const double alongMiddle = dot(toMiddle, unitAlong);
     const double depth =
       std::sqrt(std::max(0., dot(toMiddle, toMiddle) - alongMiddle * alongMiddle));
@@ -348,6 +403,7 @@ private:
   const std::function<long long(std::size_t)>& boundaryOf_;
   SideFaces& side_;
   std::vector<PolygonShape> shapes_;
+  std::map<std::array<std::uint32_t, 2>, std::size_t> seamAt_; // by its ends, ascending
   std::vector<Seam> seams_;
   std::vector<std::vector<std::size_t>> seamsOf_; // of each polygon
 };
