@@ -144,27 +144,13 @@ private:
     std::vector<std::uint8_t> isTaken(side_.count());
     std::vector<std::uint8_t> isGone(side_.count());
     const auto uniteOne = [&](std::size_t polygon) {
-      std::vector<BorderEdge> best;
-      std::size_t with = 0;
-      std::size_t fewest = 0;
-      for (const std::size_t other : neighboursOf(polygon))
-      {
-        std::vector<BorderEdge> border =
-          isTaken[other] == 0 ? unitedBorder(polygon, other) : std::vector<BorderEdge>();
-        const std::size_t refusedNow = border.empty() ? 0 : refusedOf(border, { polygon, other });
-        if (!border.empty() && refusedNow < (best.empty() ? refusedOf(polygon, other) : fewest))
-        {
-          best = std::move(border);
-          with = other;
-          fewest = refusedNow;
-        }
-      }
-      if (best.empty())
+      Union best = bestUnionOf(polygon, isTaken);
+      if (best.border.empty())
       {
         return false;
       }
-      isTaken[polygon] = isTaken[with] = isGone[polygon] = 1;
-      united.emplace(with, std::move(best));
+      isTaken[polygon] = isTaken[best.with] = isGone[polygon] = 1;
+      united.emplace(best.with, std::move(best.border));
       return true;
     };
     for (const auto& [first, second] : refused())
@@ -185,6 +171,33 @@ private:
     }
     side_ = std::move(left);
     return !united.empty();
+  }
+
+  // Of a polygon and a neighbour; no border: none.
+  struct Union
+  {
+    std::size_t with = 0;
+    std::vector<BorderEdge> border = {};
+  };
+
+  // What leaves the fewest refused edges, if it leaves fewer than there are.
+  Union bestUnionOf(std::size_t polygon, const std::vector<std::uint8_t>& isTaken) const
+  {
+    Union best;
+    std::size_t fewest = 0;
+    for (const std::size_t other : neighboursOf(polygon))
+    {
+      std::vector<BorderEdge> border =
+        isTaken[other] == 0 ? unitedBorder(polygon, other) : std::vector<BorderEdge>();
+      const std::size_t refusedNow = border.empty() ? 0 : refusedOf(border, { polygon, other });
+      if (!border.empty() &&
+        refusedNow < (best.border.empty() ? refusedOf(polygon, other) : fewest))
+      {
+        best = { other, std::move(border) };
+        fewest = refusedNow;
+      }
+    }
+    return best;
   }
 
   std::vector<BorderEdge> unitedBorder(std::size_t small, std::size_t large) const
