@@ -40,7 +40,7 @@ class Listener:
 
     def __init__(self, filter, quiet, warnings=()):
         self.warnings, self.errors, self.stage, self.quiet = [*warnings], [], "", quiet
-        self.interrupted = False
+        self.interrupted, self.error_code = False, 0
         self.algorithm = filter.SMProxy.GetClientSideObject()
         signal.signal(signal.SIGINT, self.interrupt)
         for hear in self.warn, self.fail:
@@ -82,6 +82,27 @@ class ReadingListener(Listener):
 
     def fail(self, caller, event, text):
         self.errors.append(message(text))
+
+
+class ShapeListener(Listener):
+    """Of a filter after the mesher: adds to the mesher's messages, with the line of the task that has the filter's table."""
+
+    def __init__(self, filter, task, where, mesher):
+        super().__init__(filter, mesher.quiet)
+        self.task, self.where, self.mesher, self.failed = task, where, mesher, False
+        self.warnings, self.errors = mesher.warnings, mesher.errors
+
+    def fail(self, caller, event, text):
+        self.failed = True
+        super().fail(caller, event, text)
+
+    def keep(self, kind, text, texts):
+        super().keep(kind, *self.task.error(self.where, text).args, texts)
+
+    def end(self):
+        super().end()
+        self.mesher.interrupted |= self.interrupted
+        signal.signal(signal.SIGINT, self.mesher.interrupt)
 
 
 def message(text):
@@ -175,7 +196,7 @@ def missing_inlet(mesher, task):
         return []
     if solver == "None" or not cases or task.properties.get("Domain") == "Outside":  # whose sides have an inlet
         return []
-    if task.periodic and any(pair.get("Motion", 0) == 0 for pair in task.periodic[:1]):  # which drives the flow
+    if any(pair.get("Motion", "Translation") == "Translation" for pair in task.periodic):  # which drives the flow
         return []
     names = [*boundary_numbers(mesher), *task.properties.get("BoundaryMergedNames", [])]
     if any(name.startswith("inlet") for name in names):
@@ -217,7 +238,7 @@ def build(task, quiet):
     if errors:
         raise TaskError(*(text for error in errors for text in error.args))
     if is_shaped(task) and vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses() > 1:
-        raise task.error(("flat" if task.flat is not None else "periodic",), "needs one rank: start the program without mpirun")
+        raise task.error(first_shape(task), "needs the mesh in one piece: start the program without mpirun")
     # A VTK file holds the whole mesh: then the first rank must have it.
     if any(file.suffix in writing.WRITERS[port] for _, port, file in files_of(task)):
         mesher.InPieces = 0
@@ -255,36 +276,37 @@ def is_shaped(task):
     return task.flat is not None or bool(task.periodic)
 
 
+def first_shape(task):
+    """Where the task has the first table of a filter after the mesher."""
+    return ("flat",) if task.flat is not None else ("periodic", 0)
+
+
 def shaped(mesher, task, listener):
     """The mesh to write: the mesher's, one cell across and with periodic boundaries if asked for; None if that failed."""
-    steps = [(simple.FlatMesh, task.flat)] if task.flat is not None else []
-    steps += [(simple.PeriodicBoundaries, properties) for properties in task.periodic]
+    steps = [(simple.FlatMesh, ("flat",), task.flat)] if task.flat is not None else []
+    steps += [(simple.PeriodicBoundaries, ("periodic", i), pair) for i, pair in enumerate(task.periodic)]
     mesh = mesher
-    for filter, properties in steps:
+    for filter, where, properties in steps:
         mesh = filter(Input=mesh, **properties)
-        own = Listener(mesh, listener.quiet)
+        own = ShapeListener(mesh, task, where, listener)
         mesh.UpdatePipeline()
         own.end()
-        listener.warnings += own.warnings
-        listener.errors += own.errors
-        if own.errors:
+        if own.failed or own.interrupted:
+            listener.error_code = own.algorithm.GetErrorCode()
             return None
     return mesh
 
 
-def write(mesher, task, listener):
-    mesh = shaped(mesher, task, listener)
+def write(mesher, mesh, task):
+    """`mesh`: of the mesher, or of a filter after it."""
     for kind, port, file in files_of(task):
         source = mesh if kind == "mesh" else mesher
-        if source is None:
-            continue
         with outputs_of(task, kind, file):
             if file.suffix in writing.WRITERS[port]:
                 data = source.SMProxy.GetClientSideObject().GetOutputDataObject(port)
                 writing.write_whole(data, port, file)
             else:
                 writing.save(source, port, file, task.pieces, task.case)
-    return mesh is not None
 
 
 def write_pieces(listener, task, pieces):
@@ -329,13 +351,15 @@ def pieces_needed(mesher, task):
     ranks = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
     if task.pieces > 1:
         return decomposed_pieces(task, ranks)
-    if is_shaped(task):
-        return 1
     alone = ranks == 1
     takes_pieces = [file.suffix in writing.PIECE_WRITERS[port] for _, port, file in files_of(task)]
     if not alone or not takes_pieces or not all(takes_pieces):
         return 1
-    return mesher.SMProxy.GetClientSideObject().EstimateNumberOfPieces()
+    pieces = mesher.SMProxy.GetClientSideObject().EstimateNumberOfPieces()
+    if pieces > 1 and is_shaped(task):
+        raise task.error(first_shape(task), "needs the mesh in one piece, but by memory_limit it would be made in "
+            f"{pieces}: choose a larger cell_size or less refinement, or raise the limit")
+    return pieces
 
 
 def decomposed_pieces(task, ranks):
@@ -382,7 +406,7 @@ def statistics(mesher, listener, seconds, fields):
             if len(values) == 1 and not isinstance(values[0], str):  # texts of an OBJ file, such as MaterialLibraries
                 mesh[name] = mesh.get(name, 0) + values[0]
     return {
-        "error_code": listener.algorithm.GetErrorCode(),
+        "error_code": listener.error_code or listener.algorithm.GetErrorCode(),
         "errors": listener.errors,
         "warnings": listener.warnings,
         "seconds": round(seconds, 3),
@@ -421,11 +445,13 @@ def run(task, quiet):
         if pieces == 1:
             mesher.UpdatePipeline()
         fields = [field_arrays(listener.algorithm)]
+    has_mesh = any(sum(arrays.get("Cells", [])) > 0 for arrays in fields)
+    mesh = shaped(mesher, task, listener) if has_mesh and pieces == 1 else None
+    has_mesh = has_mesh and (mesh is not None or pieces > 1)
     summary = statistics(mesher, listener, time.monotonic() - begin, fields)
-    has_mesh = summary["mesh"].get("Cells", 0) > 0
     if has_mesh:
         if pieces == 1:
-            has_mesh = write(mesher, task, listener)
+            write(mesher, mesh, task)
         if not quiet:
             report(summary)
     for file in task.statistics:

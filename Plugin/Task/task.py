@@ -26,10 +26,10 @@
     radius = 5.0
     depth = 2
 
-    [flat]                     # then the mesh is one cell across; the properties of Flat Mesh
+    [flat]                     # then the mesh is one cell across: the properties of Flat Mesh
     across = "Z"
 
-    [[periodic]]               # any number: pairs of boundaries; the properties of Periodic Boundaries
+    [[periodic]]               # any number, in this order: pairs of boundaries, the properties of Periodic Boundaries
     first_boundary = "xMin"
     second_boundary = "xMax"
 
@@ -64,6 +64,7 @@ from parameters import BadValue, collections, extensions, parameters, shown
 
 MESHER, REGION, SPLIT, CASE_WRITER, CAD_READER = "CartesianMesher", "RefinementRegion", "SplitSurface", "PolyMeshWriter", "CADReader"
 FLAT, PERIODIC = "FlatMesh", "PeriodicBoundaries"
+PAIR = ("first_boundary", "second_boundary")
 REPORT = ".html"
 FILE_KEYS = {"surface": {"file", "names", "split"}, "refinement": {"size_field"}}  # beside the properties, by table
 NOT_OF_SPLIT = ("NumberOfThreads",)  # the mesher has it too
@@ -363,10 +364,14 @@ def shape_parameters(name):
     return [parameter for parameter in parameters(name) if parameter.name not in NOT_OF_SPLIT]
 
 
-def shape(reader, content, where, name):
-    """Properties of such a filter."""
+def shape(reader, content, where, name, needed=()):
+    """Properties of such a filter; keys that its table needs."""
     of = shape_parameters(name)
-    return reader.values(reader.table(content, where, {parameter.key for parameter in of}), where, of)
+    table = reader.table(content, where, {parameter.key for parameter in of})
+    for key in needed if isinstance(content, dict) else ():
+        if not table.get(key):
+            reader.note(where, f"needs the key {key}")
+    return reader.values(table, where, of)
 
 
 def read_task(path):
@@ -405,7 +410,7 @@ def read_task(path):
     regions = [reader.region(table, ("regions", i), region)
         for i, table in enumerate(reader.tables(content.get("regions", []), "regions"))]
     flat = shape(reader, content["flat"], ("flat",), FLAT) if "flat" in content else None
-    periodic = [shape(reader, table, ("periodic", i), PERIODIC)
+    periodic = [shape(reader, table, ("periodic", i), PERIODIC, PAIR)
         for i, table in enumerate(reader.tables(content.get("periodic", []), "periodic"))]
     size_field = known["refinement"].get("size_field")
     if size_field is not None and not isinstance(size_field, str):

@@ -17,12 +17,13 @@ import tomllib
 from paraview import simple
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 
+import foam
 from pipeline import DATA, assert_identical, octahedron, output, polydata
 
 PROGRAM = sys.argv[2]
 sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "Plugin" / "Task"))
 from parameters import collections, key_of, names, parameters  # noqa: E402
-from task import MESHER, REGION, TaskError, case_parameters, lines_of, read_task  # noqa: E402
+from task import FLAT, MESHER, PERIODIC, REGION, TaskError, case_parameters, lines_of, read_task, shape_parameters  # noqa: E402
 from template import template  # noqa: E402
 RUN = importlib.util.spec_from_file_location("run",
     pathlib.Path(PROGRAM).parents[1] / "share" / "cartesianmesher" / "run.py")
@@ -110,6 +111,9 @@ assert {(table, key) for table in full for key in full[table]} == \
 task = read_task(folder / "full.toml")
 assert task.properties == {parameter.name: parameter.default for parameter in parameters(MESHER) if not parameter.deprecated}
 assert task.case == {parameter.name: parameter.default for parameter in case_parameters()}
+for heading, name in ("[flat]", FLAT), ("[[periodic]]", PERIODIC):  # commented: without them there are no such filters
+    table = template().split(f"\n# {heading}\n")[1].split("\n# [")[0]
+    assert all(f"\n# {parameter.key} = " in table for parameter in shape_parameters(name)), table
 assert key_of("Blend to depth - 1") == "blend_to_depth_1"
 
 # A task gives the mesh that the filter gives, bit for bit, on any number of ranks.
@@ -233,6 +237,63 @@ for row, ends in ("", [1, 1]), ('type = "wall"', [1, 1]), ("depth = 0", [1, 1]),
     assert [boundary["layers_asked"] for boundary in made["boundaries"]] == ends, made
     assert made["parameters"]["BoundarySmallCellRatios"] == [-1]
 
+# Then one cell across and periodic: the mesh alone. What these filters say names the table, and ends the task as the mesher's errors do.
+rod = simple.Transform(Input=simple.Cylinder(Radius=0.4, Height=4, Resolution=40))
+rod.Transform.Rotate = [90, 0, 0]
+simple.SaveData(str(folder / "rod.stl"), proxy=rod)
+PAIRS = """
+[surface]
+file = "rod.stl"
+[grid]
+cell_size = 0.1
+[domain]
+domain = "Outside"
+side_names = "Axes"
+box_from = "Bounds"
+domain_bounds = [-1.0, 1.0, -1.0, 1.0, -0.2, 0.2]
+boxes_along_body = 0
+[refinement]
+periodic_sides = "X and Y"
+[flat]
+across = "Z"
+[[periodic]]
+first_boundary = "xMin"
+second_boundary = "xMax"
+motion = "translation"
+[[periodic]]
+first_boundary = "yMin"
+second_boundary = "{second}"
+[case]
+solver_setup = "Incompressible"
+turbulence = "Laminar"
+[output]
+mesh = ["{folder}/case.foam", "{folder}/mesh.vtu"]
+boundary = "{folder}/boundary.vtp"
+statistics = "{folder}/statistics.json"
+"""
+said = run(PAIRS.format(second="left", folder="wrong"), code=REFUSED)
+assert 'task.toml:20: periodic[1]: There is no boundary "left"' in said, said
+failed = json.loads((folder / "wrong" / "statistics.json").read_text())
+assert failed["error_code"] != 0 and "periodic[1]: There is no boundary" in failed["errors"][0], failed["errors"]
+assert [path.name for path in (folder / "wrong").iterdir()] == ["statistics.json"]
+run(PAIRS.format(second="yMax", folder="pairs"))
+checked = foam.CheckMesh(folder / "pairs")
+assert checked.ok and "2 solution (non-empty) directions" in checked.text, checked.text[-2000:]
+assert "meanVelocityForce" in (folder / "pairs" / "constant" / "fvOptions").read_text()
+flat, whole = read("pairs/mesh.vtu"), json.loads((folder / "pairs" / "statistics.json").read_text())
+assert flat.GetFieldData().GetArray("PeriodicPairs").GetNumberOfTuples() == 2
+assert flat.GetNumberOfCells() == checked.figures["cells"] < whole["mesh"]["Cells"] / 2, (checked.figures, whole["mesh"])
+sides = read("pairs/boundary.vtp", simple.XMLPolyDataReader).GetBounds()
+assert abs(sides[4] + 0.2) < 1e-6 and abs(sides[5] - 0.2) < 1e-6, sides
+# Both need the mesh in one piece.
+said = run(PAIRS.format(second="yMax", folder="ranks"), ranks=2, code=REFUSED)
+assert "task.toml:14: flat: needs the mesh in one piece: start the program without mpirun" in said, said
+said = here(PAIRS.format(second="yMax", folder="pieces") + "pieces = 2\n")
+assert ":30: output.pieces: flat and periodic meshes are written in one piece" in said, said
+said = here(FILES + "[[periodic]]\nfirst_boundary = 'a'\nsecond_boundary = 'b'\n[grid]\ncell_size = 0.02\n[performance]\n"
+    "memory_limit = 0.1\n[cells]\nsmall_cells = 'Remove'\nsplit_concave_cells = false\ncollapse_ratio = 0\n[output]\nmesh = 'limit.pvtu'\n")
+assert ":3: periodic[0]: needs the mesh in one piece, but by memory_limit it would be made in " in said, said
+
 # A mesh with warnings.
 said = here('[surface]\nfile = "roof.stl"\n[grid]\ncell_size = 0.1\n[output]\nstatistics = "s.json"\n', code=WARNINGS)
 assert "warning: The surface has 4 open edges" in said, said
@@ -271,6 +332,11 @@ SOLVER = FILES + "[case]\nsolver_setup = 'Incompressible'\n"
 for more in ("[[boundaries]]\nname = 'roof'\nmerged_name = 'inlet_top'\n[output]\nmesh = 'm.foam'\n",
         "[domain]\ndomain = 'Outside'\n[output]\nmesh = 'm.foam'\n", "[output]\nmesh = 'm.vtu'\n"):
     assert "about" in run(SOLVER + more, "--check")
+# Or a periodic pair drives the flow, unless turned.
+PAIR = "[output]\nmesh = 'm.foam'\n[[periodic]]\nfirst_boundary = 'roof'\nsecond_boundary = 'floor'\n"
+for motion in "", "motion = 'Translation'\n":
+    here(SOLVER + PAIR + motion, "--check", code=SUCCESS)
+assert "no boundary is an inlet" in here(SOLVER + PAIR + "motion = 'Rotation'\n", "--check")
 # Choices in any case.
 here(FILES + "[patches]\npatch_method = 'exact fit'\n[[refinement_shapes]]\nshape = 'Box'\n[[regions]]\nshape = 'sphere'\n", "--check", code=SUCCESS)
 
@@ -299,6 +365,10 @@ for text, *parts in (
     (FILES + '[[boundaries]]\ntype = "wall"\n', ":3: boundaries[0]: needs the key name"),
     (FILES + '[boundaries]\nname = "roof"\n', ":3: boundaries: must be written [[boundaries]]"),
     (FILES + '[[boundaries]]\nname = "walls"\n', 'Boundary Names has "walls"', "Choose from roof, floor."),
+    (FILES + "[flat]\nacross = 'W'\n[[periodic]]\nfirst_boundary = 'roof'\nfaces = 1\n", ":4: flat.across", "'X', 'Y', 'Z'",
+        ":5: periodic[0]: needs the key second_boundary", ":7: periodic[0].faces", "'Same', 'Own'"),
+    (FILES + "[[flat]]\n[periodic]\n", "flat: must be a table", ":4: periodic: must be written [[periodic]]"),
+    (FILES + "[flat]\nnumber_of_threads = 1\n", ":4: flat.number_of_threads", "not a known key", "wedge_angle"),
     (FILES + "[output]\nmesh = 1\n", ":4: output.mesh", "name of a file"),
     (FILES + '[[boundaries]]\nname = "roof"\n\ntype = "fence"\n', ":6: boundaries[0].type", "'symmetryPlane'"),
     (FILES + '[[boundaries]]\ntype = "wall"\n', ":3: boundaries[0]: needs the key name"),
