@@ -7,16 +7,17 @@
  * type cyclic, where each face of one has one of the other with corners in the same places, moved or turned; or of type
  * cyclicAMI, with faces of their own and the same area. For several pairs, place several of these filters behind each other.
  *
- * Both boundaries must be flat, and one the other moved, or turned around an axis. Faces are divided where the other side has
- * edges. Points of the second side move along it to those of the first, by a quarter of the distance to the next at most; cells behind
- * get the same points on their edges, and stay closed.
+ * One boundary is the other moved, or turned around an axis. To have the same faces, both must be flat: faces are then divided where
+ * the other side has edges. The outline of the second moves onto that of the first, and points near it with it; others move along the
+ * side to those of the first, by a quarter of the distance to the next at most. Cells behind get the same points on their edges. The
+ * whole mesh must be on one rank.
  *
  * All arrays stay but those of points. Field data: BoundaryOfFaces, BoundaryIds, BoundaryNames and BoundaryTypes as they are now; and
  * PeriodicPairs (double, 12 components): the ids of both boundaries; then how the first comes to lie on the second: translation (3),
  * direction of an axis (3), a point on it (3), degrees.
  *
- * Errors: BadParameter (no such boundary, twice the same, an axis of length 0), BadMesh (a side is not flat, the sides are not the same,
- * cells were changed since the mesh was made).
+ * Errors: BadParameter (no such boundary, twice the same, an axis of length 0), BadMesh (of the same faces: the first side is not flat, the sides
+ * are not the same; cells were changed since the mesh was made).
  *
  * @sa vtkPolyMeshWriter
  */

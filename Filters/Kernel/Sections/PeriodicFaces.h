@@ -2,8 +2,8 @@
 // Gives two flat sides of a mesh the same faces (PlaneOverlay.h), as a periodic pair of boundaries must have them.
 //
 // The first side stays as it is, except for new points on its edges and within its faces, and for points of faces that cross
-// themselves (FoldedPolygons.h). On the second, points move along the side by at
-// most PlaneOverlay::Nearby of the distance to the next, onto those of the first. All cells stay closed: where edges get points, all
+// themselves (FoldedPolygons.h). The second's outline moves onto the first's (OutlineFitting.h), and points near it with it; others move
+// along the side by at most PlaneOverlay::Nearby of the distance to the next, onto those of the first. All cells stay closed: where edges get points, all
 // their faces do.
 #pragma once
 

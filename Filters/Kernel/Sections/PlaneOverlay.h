@@ -2,8 +2,9 @@
 // Two divisions of the same part of a plane, united: each polygon lies in one of the first and in one of the second, as faces on
 // either side of a periodic pair of boundaries must be.
 //
-// The first stays where it is. The second's outline moves onto the first's (OutlineFitting.h). Points of the second that are near to one of its points or edges move there; its edges bend through points
-// of the first that are near; so no slivers are made. Where edges still cross, both get a point.
+// The first stays where it is. The second's outline moves onto the first's (OutlineFitting.h). Points of the
+// second that are near to a point or an edge of the first move there; its edges bend through points of the first that are near:
+// so there are few slivers. Where edges still cross, both get a point.
 #pragma once
 
 #include "Sections/PlanePolygons.h"
